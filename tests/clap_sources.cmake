@@ -28,6 +28,7 @@ foreach(name IN ITEMS test_clap_builds test_clap_parameters test_clap_presets te
 endforeach()
 
 list(APPEND test_clap_effect_SOURCES support/sound_burst.c)
+list(APPEND test_clap_presets_SOURCES support/user_files.c)
 
 # Tests that look inside have the plugins in themselves.
 foreach(name IN ITEMS test_clap_realtime test_clap_threads test_clap_window test_clap_kit_window)
@@ -41,7 +42,8 @@ if(TABOR_WINDOW_FOUND)
     list(APPEND ${name}_SOURCES support/clap_window.c support/counted_calls.c support/window_checks.c support/x11_server.c)
     set(${name}_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
   endforeach()
-  list(APPEND test_clap_kit_window_SOURCES support/kit_window_checks.c)
+  list(APPEND test_clap_kit_window_SOURCES support/kit_window_checks.c support/user_files.c)
+  list(APPEND test_clap_window_SOURCES support/user_files.c)
 else()
   list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_clap_(kit_)?window")
   foreach(name IN ITEMS test_clap_window test_clap_kit_window)

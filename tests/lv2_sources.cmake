@@ -28,6 +28,7 @@ foreach(name IN ITEMS test_lv2_robust test_lv2_state)
 endforeach()
 
 list(APPEND test_lv2_effect_SOURCES support/sound_burst.c)
+list(APPEND test_lv2_state_SOURCES support/user_files.c)
 
 set(test_lv2_description_SOURCES support/plugin_host.c)
 set(test_lv2_description_LIBRARIES ${TABOR_LV2_LIBRARIES})

@@ -62,10 +62,15 @@ static void use(void *shell, const InstrumentSetting *setting) {
   mark_changed(shell);
 }
 
-static void choose(void *shell, const char *preset) {
+static void choose(void *shell, const char *name, bool is_file) {
   const Instance *const instance = shell;
-  (void)presets_load.from_location(&instance->plugin, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL,
-                                   preset);
+  if (is_file) {
+    (void)presets_load.from_location(&instance->plugin, CLAP_PRESET_DISCOVERY_LOCATION_FILE, name,
+                                     NULL);
+  } else {
+    (void)presets_load.from_location(&instance->plugin, CLAP_PRESET_DISCOVERY_LOCATION_PLUGIN, NULL,
+                                     name);
+  }
   mark_changed(instance);
 }
 

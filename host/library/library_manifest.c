@@ -226,13 +226,20 @@ static bool is_temporary(const char *name) {
          strlen(name) == TEMPORARY_LENGTH;
 }
 
+static void remove_temporary(void *folder, const char *name) {
+  char path[4096];
+  const int length = snprintf(path, sizeof path, "%s/%s", (const char *)folder, name);
+  if (is_temporary(name) && length > 0 && (size_t)length < sizeof path) (void)file_remove(path);
+}
+
 static Outcome claim(const LibraryRequest *request, const char *path, json_t *wanted, int *hold) {
   const bool is_there = file_exists(path);
   Outcome outcome = is_there ? compare_manifest(request->folder, path, wanted)
                              : write_manifest(request, path, wanted);
   if (outcome == OUTCOME_OK) outcome = lock(request->folder, path, hold);
   /* of runs that were killed; before there was a manifest, none of the folder's files were a library's */
-  if (outcome == OUTCOME_OK && is_there) folder_remove_files(request->folder, is_temporary);
+  if (outcome == OUTCOME_OK && is_there)
+    folder_visit(request->folder, remove_temporary, (void *)request->folder);
   return outcome;
 }
 

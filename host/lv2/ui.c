@@ -68,14 +68,14 @@ static void use(void *shell, const InstrumentSetting *setting) {
 }
 
 /* Knobs of parts that the drum lacks stay where they are. */
-static void choose(void *shell, const char *preset) {
+static void choose(void *shell, const char *name, bool is_file) {
   const Ui *const ui = shell;
   Instrument *const instrument = instrument_of(ui);
   char message[INSTRUMENT_MESSAGE];
   InstrumentSetting setting;
   instrument_note(instrument, &setting);
   for (uint32_t i = 0; i < instrument->kind->knob_count; i++) setting.values[i] = value(shell, i);
-  if (instrument->kind->calls->load(instrument, preset, false, &setting, message))
+  if (instrument->kind->calls->load(instrument, name, is_file, &setting, message))
     use(shell, &setting);
 }
 

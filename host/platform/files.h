@@ -67,8 +67,9 @@ bool file_rename(const char *from, const char *to);
 bool file_remove(const char *path);
 
 bool folder_make(const char *path);
-/** Removes the files of a folder whose names @p is_meant accepts. */
-void folder_remove_files(const char *folder, bool (*is_meant)(const char *name));
+/** Calls @p visit for the name of each file of a folder, in no order; a file may be removed meanwhile. */
+void folder_visit(const char *folder, void (*visit)(void *context, const char *name),
+                  void *context);
 
 /** Locks a file until the process ends. False if another process has locked it. */
 bool file_lock(int descriptor);

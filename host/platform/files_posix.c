@@ -137,12 +137,11 @@ bool file_remove(const char *path) { return unlink(path) == 0; }
 
 bool folder_make(const char *path) { return mkdir(path, 0777) == 0; }
 
-void folder_remove_files(const char *folder, bool (*is_meant)(const char *name)) {
+void folder_visit(const char *folder, void (*visit)(void *context, const char *name),
+                  void *context) {
   DIR *const directory = opendir(folder);
   const struct dirent *entry;
-  while (directory && (entry = readdir(directory))) {
-    if (is_meant(entry->d_name)) (void)unlinkat(dirfd(directory), entry->d_name, 0);
-  }
+  while (directory && (entry = readdir(directory))) visit(context, entry->d_name);
   if (directory) (void)closedir(directory);
 }
 

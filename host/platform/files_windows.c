@@ -226,15 +226,8 @@ bool folder_make(const char *path) {
   return done;
 }
 
-static void remove_entry(const char *folder, const char *name) {
-  const size_t size = strlen(folder) + strlen(name) + sizeof "/";
-  char *const path = malloc(size);
-  if (path) (void)snprintf(path, size, "%s/%s", folder, name);
-  if (path) (void)file_remove(path);
-  free(path);
-}
-
-void folder_remove_files(const char *folder, bool (*is_meant)(const char *name)) {
+void folder_visit(const char *folder, void (*visit)(void *context, const char *name),
+                  void *context) {
   WIN32_FIND_DATAW entry;
   const size_t size = strlen(folder) + sizeof "/*";
   char *const pattern = malloc(size);
@@ -243,7 +236,7 @@ void folder_remove_files(const char *folder, bool (*is_meant)(const char *name))
   const HANDLE search = wide ? FindFirstFileW(wide, &entry) : INVALID_HANDLE_VALUE;
   for (BOOL more = search != INVALID_HANDLE_VALUE; more; more = FindNextFileW(search, &entry)) {
     char *const name = wide_to_utf8(entry.cFileName);
-    if (name && is_meant(name)) remove_entry(folder, name);
+    if (name) visit(context, name);
     free(name);
   }
   if (search != INVALID_HANDLE_VALUE) (void)FindClose(search);

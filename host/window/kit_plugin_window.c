@@ -10,6 +10,7 @@
 #include "plugin/knob_text.h"
 #include "window/history.h"
 #include "window/kit_window.h"
+#include "window/preset_steps.h"
 #include "window/window_size.h"
 
 struct KitPluginWindow {
@@ -19,7 +20,8 @@ struct KitPluginWindow {
   TaborKitDef *kit;  /* that is shown */
   float shown;       /* value of its knob */
   unsigned version;  /* of the user's own kit then */
-  History history;   /* of InstrumentSetting */
+  PresetSteps steps;
+  History history; /* of InstrumentSetting */
 };
 
 static float value_of(const KitPluginWindow *window, KitKnobId id) {
@@ -114,17 +116,23 @@ static void strike(void *context, uint32_t drum, double velocity, double radius,
   window->shell.play(window->shell.shell);
 }
 
-/* Levels and tunings stay with the numbers of drums, as in the host's own list. The user's own kit is the last, if there is
- * one. */
+/* Levels and tunings stay with the numbers of drums, as in the host's own list. */
 static void step_kit(void *context, int steps) {
   KitPluginWindow *const window = context;
-  const bool has_own = own_kit_version(own_of(window)) > 0;
-  const int kits = (int)kit_knobs[KIT_KNOB_KIT].maximum + (has_own ? 1 : 0);
-  const int at = (int)value_of(window, KIT_KNOB_KIT);
+  const PluginWindowShell *const shell = &window->shell;
+  follow_kit(window);
+  const PresetPlace place =
+    preset_steps_take(&window->steps, shell->instrument->kind, window->kit->name, steps);
   history_keep(&window->history);
-  window->shell.begin(window->shell.shell, KIT_KNOB_KIT);
-  window->shell.turn(window->shell.shell, KIT_KNOB_KIT, (at + steps + kits) % kits);
-  window->shell.end(window->shell.shell, KIT_KNOB_KIT);
+  if (place.is_file) {
+    shell->choose(shell->shell, place.name, true);
+  } else {
+    shell->begin(shell->shell, KIT_KNOB_KIT);
+    shell->turn(shell->shell, KIT_KNOB_KIT, (double)place.number);
+    shell->end(shell->shell, KIT_KNOB_KIT);
+  }
+  follow_kit(window);
+  preset_steps_note(&window->steps, window->kit->name);
 }
 
 static void compare(void *context) { history_compare(&((KitPluginWindow *)context)->history); }

@@ -11,6 +11,7 @@
 #include "plugin/knob_text.h"
 #include "window/drum_window.h"
 #include "window/history.h"
+#include "window/preset_steps.h"
 #include "window/window_size.h"
 
 struct PluginWindow {
@@ -25,7 +26,8 @@ struct PluginWindow {
   DrumMic mics[TABOR_MAX_MICS];
   bool is_idle[INSTRUMENT_KNOBS]; /* knobs of parts that the drum lacks */
   uint32_t page;                  /* of controls */
-  History history;                /* of InstrumentSetting */
+  PresetSteps steps;
+  History history; /* of InstrumentSetting */
 };
 
 /* ---- the view ------------------------------------------------------------------------------- */
@@ -179,18 +181,14 @@ static void move_mic(void *context, uint32_t number, const DrumMic *to) {
   use_drum(window, &setting);
 }
 
-/* From a drum that is no preset, the first or the last one. */
 static void step_preset(void *context, int steps) {
   PluginWindow *const window = context;
-  const InstrumentKind *const kind = window->shell.instrument->kind;
-  const uint32_t count = kind->preset_count();
-  uint32_t at = 0;
-  while (at < count && strcmp(kind->preset(at)->name, window->title) != 0) at++;
-  if (at == count) at = steps > 0 ? count - 1 : 0;
+  const PresetPlace place =
+    preset_steps_take(&window->steps, window->shell.instrument->kind, window->title, steps);
   history_keep(&window->history);
-  const char *const name = kind->preset((at + count + (uint32_t)steps) % count)->name;
-  window->shell.choose(window->shell.shell, name);
+  window->shell.choose(window->shell.shell, place.name, place.is_file);
   note_looks(window);
+  preset_steps_note(&window->steps, window->title);
 }
 
 static void compare(void *context) { history_compare(&((PluginWindow *)context)->history); }

@@ -19,8 +19,9 @@ typedef struct PluginWindowShell {
   void (*turn)(void *shell, uint32_t id, double value);
   void (*end)(void *shell, uint32_t id);
   void (*use)(void *shell, const InstrumentSetting *setting); /**< another drum, with its knobs */
-  void (*choose)(void *shell, const char *preset); /**< a built-in drum, and knobs as it has them */
-  void (*play)(void *shell);                       /**< a stroke waits for a block */
+  /** A built-in drum or kit, or one of a file, and knobs as it has them. */
+  void (*choose)(void *shell, const char *name, bool is_file);
+  void (*play)(void *shell); /**< a stroke waits for a block */
 } PluginWindowShell;
 
 typedef struct PluginWindow PluginWindow;

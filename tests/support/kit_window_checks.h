@@ -12,6 +12,7 @@ enum {
   KIT_UNDO_X = 519,
   KIT_COMPARE_X = 453,
   KIT_BUTTON_Y = 410,
+  KIT_BEFORE_X = 434,
   KIT_NEXT_X = 682,
   KIT_NEXT_Y = 34
 };

@@ -21,6 +21,7 @@
 
 #include "counted_calls.h"
 #include "kit_window_checks.h"
+#include "user_files.h"
 #include "window_checks.h"
 
 enum { FRAMES = 2400 };
@@ -179,6 +180,32 @@ static void kits_are_chosen_and_settings_compared(void **state) {
   close_host(&opened);
 }
 
+/* After the built-in ones; drums are passed over. The kit's hi-hat is a sound file beside it. */
+static void kits_of_the_user_follow(void **state) {
+  (void)state;
+  const double own = tabor_kit_count();
+  Opened opened = open_kit();
+  ClapHost *const host = opened.host;
+  click(&opened, KIT_BEFORE_X, KIT_NEXT_Y);
+  assert_true(value_of(host, KIT_KNOB_KIT) == own);
+  assert_string_equal(host->refused, "");
+  clap_host_run(host, 64);
+  clap_host_note(host, 0, CLAP_EVENT_NOTE_ON, 42, 1);
+  clap_host_run(host, FRAMES);
+  double peak = 0;
+  for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)host->sound[0][i]));
+  print_message("the hi-hat of a file peaks at %.3f\n", peak);
+  assert_true(peak > 0.1);
+  click(&opened, KIT_NEXT_X, KIT_NEXT_Y); /* the first after the last */
+  assert_true(value_of(host, KIT_KNOB_KIT) == 0);
+  click(&opened, KIT_BEFORE_X, KIT_NEXT_Y);
+  click(&opened, KIT_BEFORE_X, KIT_NEXT_Y);
+  assert_true(value_of(host, KIT_KNOB_KIT) == own - 1);
+  click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
+  assert_true(value_of(host, KIT_KNOB_KIT) == own);
+  close_host(&opened);
+}
+
 /* ---- the audio thread, and ends ------------------------------------------------------------- */
 
 static void blocks_wait_for_nothing_while_it_is_open(void **state) {
@@ -228,6 +255,7 @@ static int run(void) {
     cmocka_unit_test(what_is_played_lights_up),
     cmocka_unit_test(controls_turn_and_the_host_is_told),
     cmocka_unit_test(kits_are_chosen_and_settings_compared),
+    cmocka_unit_test_setup_teardown(kits_of_the_user_follow, user_files_make, user_files_remove),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),
     cmocka_unit_test(a_host_that_scans_is_told_of_it),
     cmocka_unit_test(nothing_stays_of_a_window),

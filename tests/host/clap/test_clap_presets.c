@@ -18,6 +18,8 @@
 
 #include <cmocka.h>
 
+#include "user_files.h"
+
 #define MOST 64 /* presets */
 #define FRAMES 4000
 #define SIX_DIGITS 5e-6 /* relative: to which values of parameters are rounded */
@@ -148,61 +150,23 @@ static void test_a_browser_finds_every_drum_and_kit(void **state) {
 
 /* ---- files of the user ---------------------------------------------------------------------- */
 
-static char data[] = "/tmp/tabor-data-XXXXXX";
-
-static const char *file_path(const char *name) {
-  static char path[512];
-  (void)snprintf(path, sizeof path, "%s/tabor/%s", data, name);
-  return path;
-}
-
-static void write_file(const char *name, const char *text) {
-  FILE *const file = fopen(file_path(name), "w");
-  assert_non_null(file);
-  assert_true(fputs(text, file) >= 0);
-  assert_int_equal(fclose(file), 0);
-}
-
-static int make_user_folder(void **state) {
-  (void)state;
-  strcpy(data, "/tmp/tabor-data-XXXXXX");
-  if (!mkdtemp(data) || setenv("XDG_DATA_HOME", data, 1) != 0) return 1;
-  if (mkdir(file_path(""), 0700) != 0) return 1;
-  write_file("drum.ini", "[drum]\nname = mine\n[shell]\nradius = 0.15\nboundary = open\n"
-                         "[batter]\ntension = 2000\nsurface_density = 0.3\n"
-                         "[striker.stick]\nkind = stick\n"
-                         "[mic.top]\nradius = 0.1\nheight = 0.1\n");
-  write_file("kit.ini", "[kit]\nname = my-kit\ncomment = Two toms\n"
-                        "[drum.high]\npreset = tom-10\nhead = 38\n"
-                        "[drum.low]\npreset = tom-12\nx = 0.5\nhead = 41\n");
-  write_file("else.ini", "[window]\nwidth = 100\n");
-  return 0;
-}
-
-static int remove_user_folder(void **state) {
-  (void)state;
-  char command[600];
-  (void)snprintf(command, sizeof command, "rm -r '%s'", data);
-  return system(command);
-}
-
 static void test_a_browser_finds_the_users_files(void **state) {
   (void)state;
   const clap_preset_discovery_provider_t *const provider = open_provider(MOST);
   const uint32_t kind = CLAP_PRESET_DISCOVERY_LOCATION_FILE;
   assert_int_equal(heard.locations, 2);
   assert_int_equal(heard.filetypes, 1);
-  assert_true(strncmp(heard.folder, data, strlen(data)) == 0);
-  assert_true(provider->get_metadata(provider, kind, file_path("drum.ini"), &receiver));
+  assert_true(strncmp(heard.folder, user_data(), strlen(user_data())) == 0);
+  assert_true(provider->get_metadata(provider, kind, user_file("drum.ini"), &receiver));
   assert_string_equal(heard.names[0], "mine");
   assert_int_equal(heard.plugins, 2);
   assert_int_equal(heard.kits, 0);
-  assert_true(provider->get_metadata(provider, kind, file_path("kit.ini"), &receiver));
+  assert_true(provider->get_metadata(provider, kind, user_file("kit.ini"), &receiver));
   assert_string_equal(heard.names[1], "my-kit");
   assert_int_equal(heard.kits, 1);
   assert_int_equal(heard.errors, 0);
-  assert_false(provider->get_metadata(provider, kind, file_path("else.ini"), &receiver));
-  assert_false(provider->get_metadata(provider, kind, file_path("none.ini"), &receiver));
+  assert_false(provider->get_metadata(provider, kind, user_file("else.ini"), &receiver));
+  assert_false(provider->get_metadata(provider, kind, user_file("none.ini"), &receiver));
   assert_int_equal(heard.errors, 2);
   assert_int_equal(heard.presets, 2);
   provider->destroy(provider);
@@ -327,12 +291,12 @@ static void test_a_drum_is_loaded_from_a_file(void **state) {
   static float one[FRAMES], other[FRAMES];
   ClapHost *const host = open_drum(), *const plain = open_drum();
   const uint32_t kind = CLAP_PRESET_DISCOVERY_LOCATION_FILE;
-  if (!load(host, kind, file_path("drum.ini"), NULL)) fail_msg("%s", host->refused);
-  assert_string_equal(host->loaded, file_path("drum.ini"));
+  if (!load(host, kind, user_file("drum.ini"), NULL)) fail_msg("%s", host->refused);
+  assert_string_equal(host->loaded, user_file("drum.ini"));
   record(host, -1, one);
   record(plain, -1, other);
   assert_memory_not_equal(one, other, sizeof one);
-  assert_false(load(host, kind, file_path("kit.ini"), NULL));
+  assert_false(load(host, kind, user_file("kit.ini"), NULL));
   assert_non_null(strstr(host->refused, "kit.ini:1"));
   clap_host_close(host);
   clap_host_close(plain);
@@ -408,10 +372,10 @@ int main(int argc, char **argv) {
   entry = clap_host_entry(argv[1]);
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_a_browser_finds_every_drum_and_kit),
-    cmocka_unit_test_setup_teardown(test_a_browser_finds_the_users_files, make_user_folder,
-                                    remove_user_folder),
-    cmocka_unit_test_setup_teardown(test_a_drum_is_loaded_from_a_file, make_user_folder,
-                                    remove_user_folder),
+    cmocka_unit_test_setup_teardown(test_a_browser_finds_the_users_files, user_files_make,
+                                    user_files_remove),
+    cmocka_unit_test_setup_teardown(test_a_drum_is_loaded_from_a_file, user_files_make,
+                                    user_files_remove),
     cmocka_unit_test(test_parameters_show_the_drum),
     cmocka_unit_test(test_a_loaded_drum_sounds_as_one_chosen_by_midi),
     cmocka_unit_test(test_the_parameter_chooses_a_drum_as_midi_does),

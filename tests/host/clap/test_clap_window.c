@@ -21,6 +21,7 @@
 #include <cmocka.h>
 
 #include "counted_calls.h"
+#include "user_files.h"
 #include "window_checks.h"
 
 enum {
@@ -235,6 +236,23 @@ static void a_microphone_that_the_drum_lacks_has_none(void **state) {
   close_host(&opened);
 }
 
+/* After the built-in ones; kits are passed over. */
+static void drums_of_the_user_follow(void **state) {
+  (void)state;
+  static ClapState saved;
+  Opened opened = open_host(ID_DRUM, 1);
+  const double usual = clap_host_value(opened.host, KNOB_DRUM);
+  for (int i = 0; i <= usual; i++) click(&opened, 434, 34);
+  assert_string_equal(opened.host->refused, "");
+  clap_host_save(opened.host, &saved);
+  saved.bytes[saved.size] = '\0';
+  assert_non_null(strstr(saved.bytes, "name = mine"));
+  click(&opened, 682, 34); /* the first after the last */
+  clap_host_run(opened.host, 64);
+  assert_true(clap_host_value(opened.host, KNOB_DRUM) == 0);
+  close_host(&opened);
+}
+
 static void two_drums_are_compared(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
@@ -394,6 +412,7 @@ static int run(void) {
     cmocka_unit_test(a_control_turns_and_the_host_is_told),
     cmocka_unit_test(every_microphone_has_a_level),
     cmocka_unit_test(a_microphone_that_the_drum_lacks_has_none),
+    cmocka_unit_test_setup_teardown(drums_of_the_user_follow, user_files_make, user_files_remove),
     cmocka_unit_test(two_drums_are_compared),
     cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),

@@ -17,6 +17,7 @@
 #include <cmocka.h>
 
 #include "lv2/uris.h"
+#include "user_files.h"
 
 #define FRAMES 12000u
 #define FRAME_DRUM 1 /* place of the preset among the built-in ones */
@@ -403,6 +404,34 @@ static void test_both_plugins_read_each_others_states(void **state) {
   host_close(multi);
 }
 
+/* ---- files ---------------------------------------------------------------------------------- */
+
+static bool has_mine(PluginHost *host) {
+  HostState saved;
+  host_save(host, &saved);
+  const bool is_there = strstr(host_property(&saved, URI_STATE_DEFINITION)->value, "name = mine");
+  host_state_free(&saved);
+  return is_there;
+}
+
+/* The host's knobs stay where they are; the drum is the file's. What is no drum changes nothing. */
+static void test_a_host_sets_the_file_of_a_drum(void **state) {
+  (void)state;
+  PluginHost *const host = open_drum();
+  host_set_path(host, 0, URI_DRUM_FILE, user_file("kit.ini"));
+  host_run(host, 64);
+  assert_non_null(strstr(host->said, "kit.ini:1"));
+  assert_false(has_mine(host));
+  host_set_path(host, 0, URI_DRUM_FILE, user_file("drum.ini"));
+  host_run(host, 64);
+  host_note(host, 0, 38, 100);
+  host_run(host, 4800);
+  assert_true(host->ready == 1);
+  assert_true(has_mine(host));
+  assert_true(host_peak(host->sound[0], 4800) > 1e-3);
+  host_close(host);
+}
+
 int main(int argc, char **argv) {
   if (argc < 2) return 1;
   plugins = argv[1];
@@ -421,6 +450,8 @@ int main(int argc, char **argv) {
     cmocka_unit_test(test_an_empty_state_changes_nothing),
     cmocka_unit_test(test_unknown_keys_are_passed_over),
     cmocka_unit_test(test_both_plugins_read_each_others_states),
+    cmocka_unit_test_setup_teardown(test_a_host_sets_the_file_of_a_drum, user_files_make,
+                                    user_files_remove),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

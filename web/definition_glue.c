@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file definition_glue.c
- * What JavaScript asks of the definition of a drum, one that plays alone (drum_definition()) or one of a kit
- * (kit_definition()).
+ * What JavaScript asks of the definition of a drum (instrument_definition()).
  */
 #include <stdlib.h>
 

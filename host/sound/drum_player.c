@@ -244,6 +244,7 @@ void drum_player_ledger(const DrumPlayer *player, TaborLedger *sum) {
     sum->shell_loss += own.shell_loss;
     sum->radiated += own.radiated;
     sum->removed += own.removed;
+    sum->high_band += own.high_band;
     sum->residual += own.residual;
   }
 }

@@ -20,7 +20,7 @@ packed=$(echo tabor-*.tgz)
 echo "The package: $(wc -c <"$packed") bytes"
 says_size "$SOURCE/docs/web.md" 'The package is' "$(wc -c <"$packed")"
 tar -tzf "$packed" | sort >files
-printf 'package/%s\n' LICENSE README.md drum.js engine.js index.d.ts index.js node.js package.json tabor.wasm | sort |
+printf 'package/%s\n' LICENSE README.md drum.js engine.js index.d.ts index.js instrument.js kit.js node.js package.json tabor.wasm | sort |
   diff - files || complain "the package has other files"
 
 mkdir project takes
@@ -40,7 +40,7 @@ while read -r name options; do
   "$INSPECT" equal "takes/$name.wav" native.wav || complain "$name: $options has other bits"
   count=$((count + 1))
 done < <(grep '^take' log)
-[ $count -eq 6 ] || complain "$count sounds"
+[ $count -eq $((6 + 2 * ${SONGS-4})) ] || complain "$count sounds"
 
 # In a browser as it is.
 export CHROMIUM=${CHROMIUM-$(command -v chromium || true)}

@@ -7,7 +7,7 @@ import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
 import { floatWav } from "./float_wav.mjs";
-import { Drum, TaborError, presets, render, version } from "tabor";
+import { Drum, Kit, TaborError, kits, presets, render, renderKit, version } from "tabor";
 
 const folder = process.argv[2];
 const RATE = 48000;
@@ -77,6 +77,80 @@ const browsers = await import(pathToFileURL(join(package_, "index.js")));
 await browsers.load(await readFile(join(package_, "tabor.wasm")));
 await keep(await browsers.render("piccolo-13x3.5", [{}], { duration: 0.2 }), "piccolo-13x3.5 --stereo --duration 0.2");
 
+/* ---- kits and MIDI ---- */
+
+let seed = Number(process.env.SEED ?? 1);
+const random = (below) => {
+  seed = (Math.imul(seed, 1664525) + 1013904223) >>> 0;
+  return Math.floor((seed / 2 ** 32) * below);
+};
+
+/** Messages of a second: strokes, controllers, pressures. */
+function randomMessages(count) {
+  const controllers = [1, 7, 11, 16, 17, 20, 88, 120, 121, 123];
+  const kinds = [
+    () => [0x99, 35 + random(23), 1 + random(127)], () => [0x99, 35 + random(23), 1 + random(127)],
+    () => [0x89, 35 + random(23), 64],
+    () => [0xb9, controllers[random(controllers.length)], random(128)],
+    () => [0xa9, 35 + random(23), random(128)], () => [0xd9, random(128)],
+  ];
+  const messages = Array.from({ length: count }, () => ({ tick: random(960), message: kinds[random(kinds.length)]() }));
+  return messages.sort((a, b) => a.tick - b.tick);
+}
+
+/** A file of 480 ticks a quarter, half a second. */
+function midiFile(messages) {
+  const varied = (value) => (value < 128 ? [value] : [0x80 | (value >> 7), value & 127]);
+  let before = 0;
+  const track = messages.flatMap(({ tick, message }) => {
+    const bytes = [...varied(tick - before), ...message];
+    before = tick;
+    return bytes;
+  });
+  track.push(0, 0xff, 0x2f, 0);
+  const length = [24, 16, 8, 0].map((shift) => (track.length >>> shift) & 255);
+  return Uint8Array.from([0x4d, 0x54, 0x68, 0x64, 0, 0, 0, 6, 0, 0, 0, 1, 1, 224, 0x4d, 0x54, 0x72, 0x6b, ...length, ...track]);
+}
+
+async function keepSong(name, render_, options) {
+  const file = midiFile(randomMessages(40));
+  await writeFile(join(folder, `song${takes + 1}.mid`), file);
+  await keep(await render_(name, file, { quality: "draft" }), `${options} --quality draft --midi-file takes/song${takes + 1}.mid`);
+}
+
+const all = await kits();
+if (!all.some(({ name, comment }) => name === "standard" && comment.length > 10)) complain("kits() lacks standard");
+const songs = Number(process.env.SONGS ?? all.length);
+console.log(`# ${songs} songs from seed ${seed}`);
+for (let i = 0; i < songs; i++) {
+  const { name } = all[i % all.length];
+  await keepSong(name, renderKit, `--kit ${name}`);
+  await keepSong("snare-14x5.5", render, "snare-14x5.5 --stereo");
+}
+
+// Strokes and values of the mix, in blocks of all lengths; parts of drums behind it.
+const kit = await Kit.create("jazz", { quality: "draft", outputs: ["snare"], set: { "drum.snare.batter.pitch": "A3" } });
+if (String(kit.channels) !== "left,right,snare left,snare right") complain(`channels: ${kit.channels}`);
+if (Math.abs(kit.pitch("snare") - 220) > 0.5) complain(`A3 of the snare is ${kit.pitch("snare")} Hz`);
+const giveKit = () => {
+  kit.strike({ drum: "kick", velocity: 4, frame: 100 });
+  kit.strike({ drum: "snare", frame: 5000 });
+  kit.change("kit.overheads", -6, 4000);
+  kit.change("drum.snare.wires.strainer", 0, 9000);
+  kit.midi([0x99, 38, 90], 12000);
+};
+giveKit();
+const pieces = [1, 127, 128, 129, 5000, 0, 9999].map((frames) => kit.process(frames));
+const [mixLeft, , snareLeft] = [0, 1, 2].map((i) => Float32Array.from(pieces.flatMap((piece) => [...piece[i]])));
+kit.reset();
+giveKit();
+const whole = kit.process(mixLeft.length);
+const sameBits = (a, b) => Buffer.compare(Buffer.from(a.buffer), Buffer.from(b.buffer)) === 0;
+if (!sameBits(whole[0], mixLeft) || !sameBits(whole[2], snareLeft)) complain("a kit depends on the division into blocks, or on what was before");
+if (snareLeft.every((sample) => sample === 0)) complain("the snare's part is silent");
+const account = kit.ledger();
+if (!(account.injected > 0.1 && Math.abs(account.residual) < 1e-6 * account.injected)) complain(`a kit's ledger has ${account.injected}`);
+
 /* ---- many events ---- */
 
 /** Strokes at frame 5, and a softer one later, in blocks of some frames: the sound, and how many strokes were dropped. */
@@ -127,6 +201,15 @@ async function refused(what, text, facts = {}) {
   }
 }
 
+await refused(() => Kit.create("standart"), /standart.*standard/);
+await refused(() => Kit.create("standard", { set: { "kit.overhead": 1 } }), /kit\.overhead/);
+await refused(() => Kit.create("standard", { outputs: ["cymbal"] }), /outputs = 'cymbal': allowed: .*snare/);
+await refused(() => kit.strike({ drum: "cymbal" }), /drum = 'cymbal': allowed: .*snare/);
+await refused(() => kit.strike(), /drum = 'undefined'/);
+await refused(() => kit.change("kit.overheads", 30), /kit\.overheads = 30: allowed: -120 to 24 dB/);
+await refused(() => kit.change("kit.overhead_x", 1), /kit\.overhead_x: this does not change/);
+await refused(() => kit.change("drum.snare.batter.tension", 3000), /drum\.snare\.batter\.tension.*while the drum rings/);
+await refused(() => kit.midiFile(new Uint8Array(10)), /MIDI/);
 const create = (set, options) => () => Drum.create("snare-14x5.5", { set, ...options });
 await refused(create({ "batter.tension": 5 }), /batter\.tension.*5.*100.*20000/,
   { key: "batter.tension", value: "5", minimum: 100, maximum: 20000 });

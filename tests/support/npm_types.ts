@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What users of the package for npm write, as TypeScript sees it. For test_npm.sh.
-import { Drum, TaborError, load, presets, render, version, type DrumOptions, type Ledger, type Stroke } from "tabor";
+import {
+  Drum, Kit, TaborError, kits, load, presets, render, renderKit, version, type DrumOptions, type Instrument, type KitOptions, type Ledger, type Stroke,
+} from "tabor";
 
 const options: DrumOptions = { quality: "live", sampleRate: 48000, set: { "batter.pitch": "A3", "wires.tension": 8 } };
 const stroke: Stroke = { velocity: 3, radius: 0.05, angle: 90, technique: "rimshot", striker: "stick" };
@@ -16,6 +18,17 @@ export async function play(): Promise<[Float32Array[], Ledger]> {
   drum.reset();
   const dropped: number = drum.droppedEvents;
   return [dropped > 0 ? [] : channels, drum.ledger()];
+}
+
+export async function playKit(file: ArrayBuffer): Promise<Float32Array[]> {
+  const options: KitOptions = { set: { "kit.overheads": -6 }, outputs: ["snare"] };
+  const kit: Kit = await Kit.create((await kits())[0].name, options);
+  kit.strike({ drum: kit.drums[0], velocity: 2 });
+  kit.change("kit.coupling", "off", 100);
+  const instrument: Instrument = kit;
+  instrument.midi([0x99, 38, 100]);
+  const { last, warnings } = instrument.midiFile(file);
+  return warnings.length > 0 ? kit.process(last) : renderKit("jazz", file, { duration: 2 });
 }
 
 export const told = (error: unknown): string => (error instanceof TaborError ? `${error.key} ${error.minimum}` : "");

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 /** Units are SI: seconds, metres, metres per second; angles are in degrees, counter-clockwise seen from above. */
 
-/** A drum that comes with the package. */
+/** A drum or a kit that comes with the package. */
 export interface Preset {
-  /** for `Drum.create()` and `render()` */
+  /** for `create()` and `render()` */
   name: string;
   /** one line for a person */
   comment: string;
@@ -14,27 +14,38 @@ export type Quality = "draft" | "live" | "studio" | "reference";
 
 export type Technique = "normal" | "rimshot" | "cross-stick" | "rim";
 
-export interface DrumOptions {
+export interface Options {
   /** "live" unless given */
   quality?: Quality;
   /** 22,050 to 192,000 Hz, 48,000 unless given */
   sampleRate?: number;
-  /** Keys of preset files and their values, as `{ "batter.pitch": "A3", "wires.tension": 8 }`. */
-  set?: Record<string, string | number>;
   /**
-   * Microphones, a channel each, in the drum's own room, as `tabor render --mic` has them. Without them there are two
-   * channels, left and right, 12 dB louder, in the drum's room or a studio, as with `--stereo`.
+   * Keys of preset files and their values, as `{ "batter.pitch": "A3", "wires.tension": 8 }`; of kit files for a kit, as
+   * `{ "kit.overheads": -6, "drum.snare.batter.pitch": "A3" }`.
    */
-  mics?: readonly string[];
-  /** Hears how far the model is, 0 to 1. If it returns false, the build ends with a TaborError. */
+  set?: Record<string, string | number>;
+  /** Hears how far the models are, 0 to 1. If it returns false, the build ends with a TaborError. */
   progress?: (done: number) => unknown;
   /**
-   * What building the model may take by the engine's estimate, on one core of a server of 2024: 30 s unless given; 0 is no limit.
+   * What building a model may take by the engine's estimate, on one core of a server of 2024: 30 s unless given; 0 is no limit.
    * A model that takes more is refused with a TaborError whose key is the parameter to lower.
    */
   mostSeconds?: number;
   /** most memory in the same way, 2e9 bytes unless given */
   mostBytes?: number;
+}
+
+export interface DrumOptions extends Options {
+  /**
+   * Microphones, a channel each, in the drum's own room, as `tabor render --mic` has them. Without them there are two
+   * channels, left and right, 12 dB louder, in the drum's room or a studio, as with `--stereo`.
+   */
+  mics?: readonly string[];
+}
+
+export interface KitOptions extends Options {
+  /** Drums whose parts of the mix, without the room, are further channels, two for each, as `tabor render --kit --split` has them. */
+  outputs?: readonly string[];
 }
 
 /** What is missing is as in the drum's own stroke. */
@@ -48,6 +59,11 @@ export interface Stroke {
   technique?: Technique;
   /** one of `drum.strikers`, as "mallet" */
   striker?: string;
+}
+
+export interface KitStroke extends Stroke {
+  /** one of `kit.drums` */
+  drum: string;
 }
 
 /** The energy account [J], since the drum was created or reset. */
@@ -78,24 +94,63 @@ export class TaborError extends RangeError {
   readonly maximum: number;
 }
 
-/** A drum that sounds. It has memory of its own, 10 to 30 MB, which goes when nothing refers to it any more. */
-export class Drum {
+/** What a drum and a kit have in common. Each has memory of its own, which goes when nothing refers to it any more. */
+export interface Instrument {
+  /** [Hz] */
+  readonly sampleRate: number;
+  /** the first of the next `process()` */
+  readonly frame: number;
+  /** of the definition, in the order of preset or kit files */
+  readonly keys: readonly string[];
+  /** the value of a key, as these files have it */
+  get(key: string): string;
+
+  /** A MIDI message, [status, first, second], at a frame, as `tabor render --midi-file` plays it. Program changes do nothing. */
+  midi(message: readonly number[] | Uint8Array, frame?: number): void;
+  /**
+   * The events of a MIDI file, its bytes, from a frame on. Gives the last frame that has one, and lines that say what was passed over.
+   * A file that is refused is a TaborError.
+   */
+  midiFile(file: ArrayBuffer | ArrayBufferView, frame?: number): { last: number; warnings: string[] };
+  /** As if it had just been created: at rest, without coming events, at frame 0. */
+  reset(): void;
+
+  /** The next frames, an array for each channel; 1 is full scale. The sound does not depend on the division. */
+  process(frames: number): Float32Array[];
+
+  /** of all drums together */
+  ledger(): Ledger;
+  /**
+   * Strokes and changes that were not carried out, since it was created or reset: a drum has 8 sticks, and each is free
+   * again once its stroke has ended.
+   */
+  readonly droppedEvents: number;
+  /** Everything has died away. */
+  readonly isSilent: boolean;
+}
+
+/** A drum that sounds, in its room. It has 10 to 30 MB. */
+export class Drum implements Instrument {
   private constructor();
 
   /** Computes a drum. This takes the thread's time: in a page, do it in a worker. */
   static create(preset: string, options?: DrumOptions): Promise<Drum>;
 
-  /** [Hz] */
   readonly sampleRate: number;
+  readonly frame: number;
+  readonly keys: readonly string[];
+  readonly droppedEvents: number;
+  readonly isSilent: boolean;
+  get(key: string): string;
+  midi(message: readonly number[] | Uint8Array, frame?: number): void;
+  midiFile(file: ArrayBuffer | ArrayBufferView, frame?: number): { last: number; warnings: string[] };
+  reset(): void;
+  process(frames: number): Float32Array[];
+  ledger(): Ledger;
+
   /** the microphone of each channel */
   readonly mics: readonly string[];
   readonly strikers: readonly string[];
-  /** the first of the next `process()` */
-  readonly frame: number;
-  /** of the drum's definition, in the order of preset files */
-  readonly keys: readonly string[];
-  /** the value of a key, as preset files have it */
-  get(key: string): string;
   /** What a tuner reads at a lug [Hz]; 0 if the drum has no such head. */
   pitch(head?: "batter" | "resonant"): number;
 
@@ -103,33 +158,62 @@ export class Drum {
   strike(stroke?: Stroke & { frame?: number }): void;
   /** Moves a parameter that may change while the drum rings, as "wires.strainer" or "batter.muffle_strength". */
   change(key: string, value: number, frame?: number): void;
-  /** As if the drum had just been created: at rest, without coming events, at frame 0. */
-  reset(): void;
-
-  /** The next frames, an array for each channel; 1 is full scale. The sound does not depend on the division. */
-  process(frames: number): Float32Array[];
-
-  ledger(): Ledger;
-  /**
-   * Strokes and changes that were not carried out, since the drum was created or reset: there are 8 sticks, and each is free
-   * again once its stroke has ended.
-   */
-  readonly droppedEvents: number;
-  /** Everything has died away. */
-  readonly isSilent: boolean;
   /** Energy of what the room holds, of no unit. */
   readonly roomEnergy: number;
 }
 
+/** A kit: drums that stand in one room and hear each other. It has 20 to 80 MB. */
+export class Kit implements Instrument {
+  private constructor();
+
+  /** Computes a kit. This takes the thread's time, some seconds: in a page, do it in a worker. */
+  static create(kit: string, options?: KitOptions): Promise<Kit>;
+
+  readonly sampleRate: number;
+  readonly frame: number;
+  readonly keys: readonly string[];
+  readonly droppedEvents: number;
+  readonly isSilent: boolean;
+  get(key: string): string;
+  midi(message: readonly number[] | Uint8Array, frame?: number): void;
+  midiFile(file: ArrayBuffer | ArrayBufferView, frame?: number): { last: number; warnings: string[] };
+  reset(): void;
+  process(frames: number): Float32Array[];
+  ledger(): Ledger;
+
+  /** names, in the kit's order */
+  readonly drums: readonly string[];
+  /** "left", "right" of the mix, then those of `outputs`, as "snare left" */
+  readonly channels: readonly string[];
+  strikers(drum: string): string[];
+  /** What a tuner reads at a lug of a drum [Hz]; 0 if it has no such head. */
+  pitch(drum: string, head?: "batter" | "resonant"): number;
+
+  /** A stroke on a drum at a frame, the next one unless given. */
+  strike(stroke: KitStroke & { frame?: number }): void;
+  /** Moves what may change while the kit rings: "kit.overheads" and "kit.coupling" [dB], or "drum.snare.wires.strainer". */
+  change(key: string, value: number | "off", frame?: number): void;
+}
+
 /**
- * Strokes on a fresh drum; the drum's own stroke unless given. Without a duration [s] the sound ends when it has died
- * away. An array for each channel.
+ * Strokes on a fresh drum, or the bytes of a MIDI file; the drum's own stroke unless given. Without a duration [s] the sound ends
+ * when it has died away. An array for each channel.
  */
 export function render(
   preset: string,
-  strokes?: readonly (Stroke & { time?: number })[],
+  events?: readonly (Stroke & { time?: number })[] | ArrayBuffer | ArrayBufferView,
   options?: DrumOptions & { duration?: number },
 ): Promise<Float32Array[]>;
+
+/** The same on a kit. */
+export function renderKit(
+  kit: string,
+  events: readonly (KitStroke & { time?: number })[] | ArrayBuffer | ArrayBufferView,
+  options?: KitOptions & { duration?: number },
+): Promise<Float32Array[]>;
+
+/** The kits that come with the package. */
+export function kits(): Promise<Preset[]>;
 
 /** The drums that come with the package. */
 export function presets(): Promise<Preset[]>;

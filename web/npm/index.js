@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Drums computed from physics. index.d.ts describes every function.
-import { Drum, TaborError, inRange, startWith } from "./drum.js";
+import { Drum } from "./drum.js";
 import { startEngine, textAt } from "./engine.js";
+import { TaborError, bytesOf, inRange, startWith } from "./instrument.js";
+import { Kit } from "./kit.js";
 
-const BLOCK = 256; // frames between two looks at the energy: the length of the sound depends on it
-const FALL = 1e-9; // 90 dB
-const LEAST_TIME = 0.5; // after the last event [s]
-const MOST_TIME = 20; // after the last event [s]
+const BLOCK = 256; // frames between two looks whether the sound is over, as in `tabor render`
 const LATEST = 3600; // [s]
 
 let read = async (url) => {
@@ -41,13 +40,17 @@ async function loaded() {
 
 startWith(async (progress) => startEngine(await loaded(), progress));
 
-export async function presets() {
+async function list(of) {
   const engine = await startEngine(await loaded());
-  return Array.from({ length: engine.preset_count() }, (_, i) => ({
-    name: textAt(engine, engine.preset_name(i)),
-    comment: textAt(engine, engine.preset_comment(i)),
+  return Array.from({ length: engine[`${of}_count`]() }, (_, i) => ({
+    name: textAt(engine, engine[`${of}_name`](i)),
+    comment: textAt(engine, engine[`${of}_comment`](i)),
   }));
 }
+
+export const presets = () => list("preset");
+
+export const kits = () => list("kit");
 
 export async function version() {
   const engine = await startEngine(await loaded());
@@ -60,23 +63,12 @@ function frameOf(name, seconds, least, rate) {
   return Math.round(inRange(name, seconds, least, LATEST, "s") * rate);
 }
 
-/** Parts of a sound, until it has died away as `tabor render` has it (host/sound/ring_out.h). */
-function ringOut(drum, last) {
-  const least = last + Math.ceil(LEAST_TIME * drum.sampleRate);
-  const most = last + Math.ceil(MOST_TIME * drum.sampleRate);
+/** Parts of a sound, until it has died away as `tabor render` has it. */
+function ringOut(instrument, last) {
   const parts = [];
-  let loudest = 0;
-  let loudestRoom = 0;
-  while (drum.frame < most) {
-    parts.push(drum.process(Math.min(BLOCK, most - drum.frame)));
-    const room = drum.roomEnergy;
-    loudestRoom = Math.max(loudestRoom, room);
-    if (drum.frame <= last) continue;
-    const { stored } = drum.ledger();
-    loudest = Math.max(loudest, stored);
-    const isSilent = room <= FALL * loudestRoom && (drum.isSilent || stored <= FALL * loudest);
-    if (drum.frame >= least && isSilent) break;
-  }
+  instrument.call("instrument_ring_out", last);
+  do parts.push(instrument.process(BLOCK));
+  while (!instrument.call("instrument_is_over"));
   return parts;
 }
 
@@ -93,18 +85,30 @@ function join(parts, channels, frames) {
   });
 }
 
-export async function render(preset, strokes = [{}], { duration, ...options } = {}) {
-  const drum = await Drum.create(preset, options);
-  const rate = drum.sampleRate;
+/** Gives the instrument strokes, or the events of a MIDI file; returns the last frame that has one. */
+function give(instrument, events) {
+  if (bytesOf(events)) return instrument.midiFile(events).last;
   let last = 0;
-  for (const { time = 0, ...stroke } of strokes) {
-    const frame = frameOf("time", time, 0, rate);
-    drum.strike({ ...stroke, frame });
+  for (const { time = 0, ...stroke } of events) {
+    const frame = frameOf("time", time, 0, instrument.sampleRate);
+    instrument.strike({ ...stroke, frame });
     last = Math.max(last, frame);
   }
-  if (duration !== undefined) return drum.process(frameOf("duration", duration, 0.01, rate));
-  const parts = ringOut(drum, last);
-  return join(parts, drum.mics.length, drum.frame);
+  return last;
 }
 
-export { Drum, TaborError };
+function play(instrument, events, duration) {
+  const last = give(instrument, events);
+  if (duration !== undefined) return instrument.process(frameOf("duration", duration, 0.01, instrument.sampleRate));
+  return join(ringOut(instrument, last), instrument.channelCount, instrument.frame);
+}
+
+export async function render(preset, events = [{}], { duration, ...options } = {}) {
+  return play(await Drum.create(preset, options), events, duration);
+}
+
+export async function renderKit(kit, events, { duration, ...options } = {}) {
+  return play(await Kit.create(kit, options), events, duration);
+}
+
+export { Drum, Kit, TaborError };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The package in node: the engine is read from its file.
 import { readFile } from "node:fs/promises";
-import { Drum, TaborError, load, presets, readWith, render, version } from "./index.js";
+import { Drum, Kit, TaborError, kits, load, presets, readWith, render, renderKit, version } from "./index.js";
 
 readWith((url) => readFile(url));
 
-export { Drum, TaborError, load, presets, render, version };
+export { Drum, Kit, TaborError, kits, load, presets, render, renderKit, version };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Builds drums beside the page. A message { bytes, preset, settings, quality, rate } is answered by { progress }s and then by
-// { drum, memory, facts } or { error }. `memory` holds the drum, at the address `drum`.
+// { instrument, memory, facts } or { error }. `memory` holds the drum or kit, at the address `instrument`.
 // `settings` are keys and values as [["batter.pitch", "A3"]]. A pitch that a head cannot have becomes the nearest one that it can:
 // `facts.limited` has such settings. A preset may be a kit (kits.js); its facts have `drums`.
 import { change, startEngine, textAt, withText } from "./engine.js";
@@ -15,33 +15,34 @@ const TRIALS = 2; // the first is dearer: the engine is still being compiled
 const TRIAL_LENGTH = 0.15; // [s]
 const TRIAL_SPEED = 4.5; // [m/s]
 const BLOCK = 128; // frames
+const DRUMS_OWN = -1; // striker
 const HEADS = ["batter", "resonant"]; // in the engine's order
 
-/** Plays a stroke; returns the computing time as a share of its duration. */
-function trial({ strike, process, reset }, rate) {
+/** Plays a stroke on all drums at once; returns the computing time as a share of its duration. */
+function trial(engine, instrument, drums, rate) {
   const blocks = Math.ceil((TRIAL_LENGTH * rate) / BLOCK);
   const began = performance.now();
-  strike(TRIAL_SPEED);
-  for (let i = 0; i < blocks; i++) process();
-  reset();
+  for (let drum = 0; drum < drums; drum++) engine.instrument_strike(instrument, drum, 0, TRIAL_SPEED, 0, 0, 0, DRUMS_OWN);
+  for (let i = 0; i < blocks; i++) engine.instrument_play(instrument, BLOCK);
+  engine.instrument_reset(instrument);
   return (performance.now() - began) / 1000 / ((blocks * BLOCK) / rate);
 }
 
-function measureLoad(instrument, rate) {
-  const loads = Array.from({ length: TRIALS }, () => trial(instrument, rate));
-  return Math.min(...loads);
+function measureLoad(engine, instrument, drums, rate) {
+  return Math.min(...Array.from({ length: TRIALS }, () => trial(engine, instrument, drums, rate)));
 }
 
-/** What a picture of the drum consists of (glue.c). */
-function pictureOf(engine, drum) {
+/** What a picture of a drum consists of (picture_glue.c). */
+function pictureOf(engine, instrument, drum) {
   const [heads, circles, angles, wires, points, sticks, values, wiresHead] =
-    Array.from({ length: 8 }, (_, i) => engine.picture_shape(drum, i));
-  const places = Array.from(new Float64Array(engine.memory.buffer, engine.wire_places(drum), 4 * wires)); // [m]
-  return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(drum) };
+    Array.from({ length: 8 }, (_, i) => engine.picture_shape(instrument, drum, i));
+  const places = Array.from(new Float64Array(engine.memory.buffer, engine.wire_places(instrument, drum), 4 * wires)); // [m]
+  return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(instrument, drum) };
 }
 
-/** Asks a definition, of drum_definition() or kit_definition(), for numbers, pitches of heads and names of strikers. */
-function definitionOf(engine, definition) {
+/** Asks the definition of a drum for numbers, pitches of heads and names of strikers. */
+function definitionOf(engine, instrument, drum) {
+  const definition = engine.instrument_definition(instrument, drum);
   return {
     number: (key) => withText(engine, key, (address) => engine.definition_number(definition, address)),
     pitch: (head) => engine.definition_pitch(definition, head), // [Hz]
@@ -54,9 +55,6 @@ function definitionOf(engine, definition) {
     ownStriker: () => engine.definition_own_striker(definition),
   };
 }
-
-const definitionOfDrum = (engine, drum) => definitionOf(engine, engine.drum_definition(drum));
-const definitionInKit = (engine, kit, drum) => definitionOf(engine, engine.kit_definition(kit, drum));
 
 /** What the controls are about. Of two heads the batter is the first; what a head lacks is 0. */
 function controlsOf(definition) {
@@ -102,86 +100,60 @@ function limitPitches(definition, prefix, settings) {
   });
 }
 
-/* ---- a drum ---- */
-
-function factsOf(engine, drum) {
-  return { ...looksOf(definitionOfDrum(engine, drum)), picture: pictureOf(engine, drum), modes: engine.drum_mode_count(drum) };
-}
-
-function buildDrum(engine, { preset, settings, quality, rate }) {
-  const drum = withText(engine, preset, engine.drum_create);
-  if (!drum) return { error: "there is not enough memory" };
-  const error = () => textAt(engine, engine.drum_error(drum));
-  if (error()) return { error: error() };
-  const own = controlsOf(definitionOfDrum(engine, drum));
-  for (const setting of settings) if (!change(engine, engine.drum_set, drum, setting)) return { error: error() };
-  const limited = limitPitches(definitionOfDrum(engine, drum), "", settings);
-  for (const setting of limited) change(engine, engine.drum_set, drum, setting);
-  const now = settings.length > 0 ? controlsOf(definitionOfDrum(engine, drum)) : own;
-  if (!engine.drum_build(drum, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
-  const instrument = {
-    strike: (speed) => engine.drum_strike(drum, 0, speed, 0, 0, 0, -1),
-    process: () => engine.drum_process(drum, 0),
-    reset: () => engine.drum_reset(drum),
-  };
-  return { drum, facts: { ...factsOf(engine, drum), preset: own, now, limited }, instrument };
-}
-
-/* ---- a kit ---- */
+/* ---- a drum or a kit ---- */
 
 const NOTES = 128;
 
-function drumOfKit(engine, kit, preset, drum) {
-  const definition = definitionInKit(engine, kit, drum);
-  const [x, y, height] = [0, 1, 2].map((axis) => engine.kit_drum_place(kit, drum, axis)); // [m]
-  return {
-    ...looksOf(definition),
-    preset, now: controlsOf(definition),
-    name: textAt(engine, engine.kit_drum_name(kit, drum)),
-    x, y, height,
-    strokes: Array.from({ length: NOTES }, (_, note) => engine.kit_stroke(kit, drum, note)),
-  };
+/** Where a drum of a kit stands, and what notes do to it. */
+function standOf(engine, kit, drum) {
+  const [x, y, height] = [0, 1, 2].map((axis) => engine.instrument_drum_place(kit, drum, axis)); // [m]
+  const strokes = Array.from({ length: NOTES }, (_, note) => engine.instrument_stroke(kit, drum, note));
+  return { name: textAt(engine, engine.instrument_drum_name(kit, drum)), x, y, height, strokes };
 }
 
-function buildKit(engine, name, { settings, quality, rate }) {
-  const kit = withText(engine, name, engine.kit_create);
-  if (!kit) return { error: "there is not enough memory" };
-  const error = () => textAt(engine, engine.kit_error(kit));
-  if (error()) return { error: error() };
-  const count = engine.kit_drum_count(kit);
-  const own = Array.from({ length: count }, (_, i) => controlsOf(definitionInKit(engine, kit, i)));
-  for (const setting of settings) if (!change(engine, engine.kit_set, kit, setting)) return { error: error() };
-  if (engine.kit_drum_count(kit) > count) {
-    return { error: `the kit has no drum '${textAt(engine, engine.kit_drum_name(kit, count))}'` };
-  }
-  const limited = own.flatMap((_, i) => {
-    const prefix = `drum.${textAt(engine, engine.kit_drum_name(kit, i))}.`;
-    return limitPitches(definitionInKit(engine, kit, i), prefix, settings);
-  });
-  for (const setting of limited) change(engine, engine.kit_set, kit, setting);
-  if (!engine.kit_build(kit, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
-  const drums = own.map((preset, i) => drumOfKit(engine, kit, preset, i));
-  const instrument = {
-    strike: (speed) => drums.forEach((_, i) => engine.kit_strike(kit, i, speed, 0, 0, 0)), // all at once
-    process: () => engine.kit_process(kit),
-    reset: () => engine.kit_reset(kit),
-  };
+/** `preset` and `now` are what the controls are about, of the preset and of what was built. */
+function factsOf(engine, instrument, drum, isKit, preset) {
+  const definition = definitionOf(engine, instrument, drum);
+  const stand = isKit ? standOf(engine, instrument, drum) : {};
+  return { ...looksOf(definition), ...stand, preset, now: controlsOf(definition), picture: pictureOf(engine, instrument, drum) };
+}
+
+/** Facts of a whole kit. */
+function ofKit(drums) {
   const snares = drums.find(({ wires }) => wires.count > 0)?.wires ?? { count: 0, strainer: 0 };
-  const facts = { drums, wires: snares, preset: { strainer: snares.strainer }, velocity: drums[0].velocity,
-    modes: engine.kit_mode_count(kit), limited };
-  return { drum: kit, facts, instrument };
+  return { drums, wires: snares, preset: { strainer: snares.strainer }, velocity: drums[0].velocity };
+}
+
+function buildInstrument(engine, { preset: listed, settings, quality, rate }) {
+  const kit = kitOf(listed);
+  const isKit = kit !== null;
+  const instrument = withText(engine, kit ?? listed, (name) => engine.instrument_create(name, Number(isKit)));
+  if (!instrument) return { error: "there is not enough memory" };
+  const error = () => textAt(engine, engine.instrument_error(instrument));
+  if (error()) return { error: error() };
+  const count = engine.instrument_drum_count(instrument);
+  const numbers = Array.from({ length: count }, (_, drum) => drum);
+  const nameOf = (drum) => textAt(engine, engine.instrument_drum_name(instrument, drum));
+  const own = numbers.map((drum) => controlsOf(definitionOf(engine, instrument, drum)));
+  for (const setting of settings) if (!change(engine, instrument, setting)) return { error: error() };
+  if (engine.instrument_drum_count(instrument) > count) return { error: `the kit has no drum '${nameOf(count)}'` };
+  const limited = numbers.flatMap((drum) =>
+    limitPitches(definitionOf(engine, instrument, drum), isKit ? `drum.${nameOf(drum)}.` : "", settings));
+  for (const setting of limited) change(engine, instrument, setting);
+  if (!engine.instrument_build(instrument, quality, rate, MOST_SECONDS, MOST_BYTES)) return { error: error() };
+  const drums = numbers.map((drum) => factsOf(engine, instrument, drum, isKit, own[drum]));
+  const facts = { ...(isKit ? ofKit(drums) : drums[0]), modes: engine.instrument_mode_count(instrument), limited };
+  return { instrument, count, facts };
 }
 
 async function build(request) {
   const engine = await startEngine(request.bytes, (progress) => postMessage({ progress }));
   const began = performance.now();
-  const kit = kitOf(request.preset);
-  const { error, drum, facts, instrument } =
-    kit === null ? buildDrum(engine, request) : buildKit(engine, kit, request);
+  const { error, instrument, count, facts } = buildInstrument(engine, request);
   if (error) return { error };
   facts.seconds = (performance.now() - began) / 1000;
-  facts.load = measureLoad(instrument, request.rate);
-  return { drum, facts, memory: engine.memory.buffer.slice(0) };
+  facts.load = measureLoad(engine, instrument, count, request.rate);
+  return { instrument, facts, memory: engine.memory.buffer.slice(0) };
 }
 
 addEventListener("message", async ({ data }) => {

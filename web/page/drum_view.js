@@ -33,7 +33,7 @@ export class DrumView {
   #snaresOff = false;
   #marks = []; // { drum, x, y, velocity, time }, x and y as shares of the radius
   #level = FLOOR;
-  #heights = null; // of the head, { circles, angles, of, most }
+  #heights = null; // of the head of a drum, { drum, circles, angles, of, most }
   #asked = false; // a picture is to come
 
   constructor(canvas) {
@@ -57,7 +57,7 @@ export class DrumView {
     this.#ask();
   }
 
-  /** Colours the head by its heights, of[circle * angles + angle], which are at most `most`; null: no more. */
+  /** Colours the head of a drum by its heights, of[circle * angles + angle], which are at most `most`; null: no more. */
   setHeights(heights) {
     this.#heights = heights;
     this.#ask();
@@ -116,7 +116,7 @@ export class DrumView {
       const radius = half * share;
       context.setTransform(radius, 0, 0, radius, size / 2 + half * x, size / 2 - half * y); // the head has the radius 1
       this.#drawHoop(context, color, this.#drums[i]);
-      this.#drawHead(context, color);
+      this.#drawHead(context, color, i);
       this.#drawWires(context, color, this.#drums[i]);
       this.#drawMarks(context, color, i, now);
     }
@@ -139,12 +139,12 @@ export class DrumView {
   }
 
   /** The louder it sounds, the brighter. */
-  #drawHead(context, color) {
+  #drawHead(context, color, drum) {
     context.beginPath();
     context.arc(0, 0, 1, 0, TURN);
     context.fillStyle = color("head");
     context.fill();
-    if (this.#heights) return this.#drawHeights(context, color);
+    if (this.#heights?.drum === drum) return this.#drawHeights(context, color);
     context.globalAlpha = 0.5 * (1 - this.#level / FLOOR);
     context.fillStyle = color("glow");
     context.fill();

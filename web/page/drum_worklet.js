@@ -2,22 +2,22 @@
 // Plays the drum, on the audio thread. Messages to it:
 //
 //   { type: "engine", bytes }            the engine; before everything else
-//   { type: "drum", drum, memory, isKit }    another drum or kit, as build_worker.js makes it; the former fades out
+//   { type: "instrument", instrument, memory }    another drum or kit, as build_worker.js makes it; the former fades out
 //   { type: "strike", drum, velocity, radius, angle, technique }    drum: of a kit
 //   { type: "strainer", value }          1: the snares are on, 0: off
 //   { type: "song", actions }            what a MIDI file does from now on, in order of frames: { kind: "stroke" or "strainer", frame, ... }
 //   { type: "record", on }
-//   { type: "film", on }                 pictures of what follows a stroke
+//   { type: "film", on }                 pictures of the drum that is struck
 //
 // Messages from it: { type: "playing" } for each new drum; { type: "strained", value } and { type: "sung" }, of a MIDI file: the snares,
 // and its end; { type: "struck", frame, ... } for each stroke;
 // { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last };
-// { type: "filmed", pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
+// { type: "filmed", drum, pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
 import { ContinuedEngine, LEDGER } from "./engine.js";
 
 const BLOCK = 128; // frames
 const CHANNELS = 2;
-const PRESETS_OWN = -1; // the striker
+const DRUMS_OWN = -1; // the striker
 const FADE = 0.03; // of the drum that another one replaces [s]
 const COPIED = 1 << 20; // of the memory of a new drum, in the time of a block [bytes]
 const LEVEL_BLOCKS = 8; // blocks of one level
@@ -26,12 +26,12 @@ const PIECE_BLOCKS = 32; // blocks of one piece of a recording
 const FILM_BLOCKS = 15; // blocks of a film
 const BLOCK_PICTURES = 4; // of each filmed block
 
-/** A drum in an engine of its own. */
+/** A drum or a kit in an engine of its own. */
 class Voice {
-  constructor(module, { drum, memory }) {
+  constructor(module, { instrument, memory }) {
     this.continued = new ContinuedEngine(module, memory);
     this.engine = this.continued.exports;
-    this.drum = drum;
+    this.instrument = instrument;
     this.left = Math.round(FADE * sampleRate); // frames of the fade, once it fades
   }
 
@@ -40,45 +40,37 @@ class Voice {
     return this.continued.copy(most);
   }
 
-  strike({ velocity, radius, angle, technique }) {
-    return this.engine.drum_strike(this.drum, 0, velocity, radius, angle, technique, PRESETS_OWN);
+  strike({ drum = 0, velocity, radius, angle, technique }) {
+    return this.engine.instrument_strike(this.instrument, drum, 0, velocity, radius, angle, technique, DRUMS_OWN);
   }
 
   setStrainer(value) {
-    this.engine.drum_set_strainer(this.drum, value);
-  }
-
-  /** The address of the next block. */
-  compute(isFilmed) {
-    return this.engine.drum_process(this.drum, Number(isFilmed));
-  }
-
-  /** The address of the energy account. */
-  account() {
-    return this.engine.drum_ledger(this.drum);
+    this.engine.instrument_set_strainer(this.instrument, value);
   }
 
   /** The channels of the next block, until the next call. They stay in their place: memory grows no more. */
-  process(isFilmed = false) {
+  process(film = null) {
     const { buffer } = this.engine.memory;
-    const address = this.compute(isFilmed);
+    const address = film
+      ? this.engine.instrument_film(this.instrument, film.drum)
+      : this.engine.instrument_play(this.instrument, BLOCK);
     this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
     return this.block;
   }
 
-  /** The numbers of the pictures of a filmed block. */
-  get picturesSize() {
-    return BLOCK_PICTURES * this.engine.picture_size(this.drum);
+  /** The numbers of the pictures of a filmed block of a drum. */
+  picturesSize(drum) {
+    return BLOCK_PICTURES * this.engine.picture_size(this.instrument, drum);
   }
 
-  /** The pictures of the last block, if it was filmed. */
-  pictures() {
-    return new Float32Array(this.engine.memory.buffer, this.engine.drum_pictures(this.drum), this.picturesSize);
+  /** The pictures of the last block, if a drum was filmed. */
+  pictures(drum) {
+    return new Float32Array(this.engine.memory.buffer, this.engine.instrument_pictures(this.instrument), this.picturesSize(drum));
   }
 
   /** The energy account [J]. */
   ledger() {
-    const values = new Float64Array(this.engine.memory.buffer, this.account(), LEDGER.length);
+    const values = new Float64Array(this.engine.memory.buffer, this.engine.instrument_ledger(this.instrument), LEDGER.length);
     return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
   }
 
@@ -90,29 +82,6 @@ class Voice {
       for (let i = 0; i < CHANNELS; i++) outputs[i][n] += (block[i][n] * this.left) / whole;
     }
     return this.left > 0;
-  }
-}
-
-/** A kit in an engine of its own. It is not filmed. */
-class KitVoice extends Voice {
-  strike({ drum, velocity, radius, angle, technique }) {
-    return this.engine.kit_strike(this.drum, drum, velocity, radius, angle, technique);
-  }
-
-  setStrainer(value) {
-    this.engine.kit_set_strainer(this.drum, value);
-  }
-
-  compute() {
-    return this.engine.kit_process(this.drum);
-  }
-
-  account() {
-    return this.engine.kit_ledger(this.drum);
-  }
-
-  get picturesSize() {
-    return 0;
   }
 }
 
@@ -150,7 +119,7 @@ class DrumProcessor extends AudioWorkletProcessor {
 
   act(message) {
     switch (message.type) {
-      case "drum": return this.change(message);
+      case "instrument": return this.change(message);
       case "strike": return this.strike(message);
       case "strainer": return this.setStrainer(message.value);
       case "song": return this.beginSong(message.actions);
@@ -160,7 +129,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   }
 
   change(message) {
-    this.coming = new (message.isKit ? KitVoice : Voice)(this.module, message);
+    this.coming = new Voice(this.module, message);
     this.strainer = null;
   }
 
@@ -185,9 +154,14 @@ class DrumProcessor extends AudioWorkletProcessor {
     if (!this.voice) this.waiting.push(message);
     else if (this.voice.strike(message)) {
       this.port.postMessage({ ...message, type: "struck", frame: this.frame });
-      const size = this.films ? this.voice.picturesSize : 0;
-      if (size > 0) this.film ??= { pictures: new Float32Array(FILM_BLOCKS * size), blocks: 0 };
+      if (this.films) this.beginFilm(message.drum ?? 0);
     }
+  }
+
+  /** Of a drum, unless there is one. */
+  beginFilm(drum) {
+    const size = this.voice.picturesSize(drum);
+    this.film ??= { drum, pictures: new Float32Array(FILM_BLOCKS * size), blocks: 0 };
   }
 
   /** It begins with the next block that a drum plays. */
@@ -221,10 +195,10 @@ class DrumProcessor extends AudioWorkletProcessor {
   /** Adds the last block. Strokes that fall into a film are part of it. */
   addPictures() {
     const { film } = this;
-    film.pictures.set(this.voice.pictures(), film.blocks * this.voice.picturesSize);
+    film.pictures.set(this.voice.pictures(film.drum), film.blocks * this.voice.picturesSize(film.drum));
     if (++film.blocks < FILM_BLOCKS) return;
     this.film = null;
-    this.port.postMessage({ type: "filmed", pictures: film.pictures }, [film.pictures.buffer]);
+    this.port.postMessage({ type: "filmed", drum: film.drum, pictures: film.pictures }, [film.pictures.buffer]);
   }
 
   beginRecording() {
@@ -272,7 +246,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   process(_, [outputs]) {
     if (this.coming) this.bringDrum();
     if (this.song && this.voice) this.playSong();
-    if (this.voice) this.voice.process(!!this.film).forEach((channel, i) => outputs[i].set(channel));
+    if (this.voice) this.voice.process(this.film).forEach((channel, i) => outputs[i].set(channel));
     if (this.film) this.addPictures();
     if (this.former && !this.former.addFade(outputs)) this.former = null;
     this.finishBlock(outputs);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine as WebAssembly, instantiated by hand: Emscripten's own JavaScript does not run in an AudioWorklet
-// without shared memory. web/glue.c has the functions that it exports.
+// without shared memory. web/glue.h says which functions it exports.
 
 const PAGE_SIZE = 65536; // of WebAssembly's memory [bytes]
 const NOT_SUPPORTED = 52; // of WASI
@@ -60,9 +60,9 @@ export function textAt(engine, address) {
   return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
 }
 
-/** Changes the definition of a drum or a kit by `set` of the engine; false with an error. */
-export function change(engine, set, instrument, [key, value]) {
-  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => set(instrument, keyAt, valueAt)));
+/** Changes the definition of an instrument; false with an error. */
+export function change(engine, instrument, [key, value]) {
+  return withText(engine, key, (keyAt) => withText(engine, value, (valueAt) => engine.instrument_set(instrument, keyAt, valueAt)));
 }
 
 /** Calls `use` with the address of a text. */

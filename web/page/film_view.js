@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Heads, wires and sticks in the first 40 ms after a stroke, in slow motion: as a net of circles and rays seen from the
-// side, a little from above. A picture consists of the numbers that web_picture_size() of glue.c lists.
+// side, a little from above. A picture consists of the numbers that web_picture_size() of picture_glue.c lists.
 import { RATE } from "./sound.js";
 
 const PICTURE_FRAMES = 32; // from picture to picture
@@ -18,7 +18,8 @@ export class FilmView {
   #canvas;
   #text;
   #setHeights; // of the batter head, which is seen from above
-  #facts = null;
+  #drums = []; // facts of each
+  #facts = null; // of the drum that is shown
   #pictures = null; // Float32Array
   #isAwaited = false; // a stroke is being filmed
   #most = 1e-3; // height in the film [m]
@@ -35,9 +36,10 @@ export class FilmView {
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.#ask());
   }
 
-  /** Another drum. */
-  show(facts) {
-    this.#facts = facts;
+  /** The drums of another kit, or another drum alone; the first is seen until one is filmed. */
+  show(drums) {
+    this.#drums = drums;
+    this.#facts = drums[0];
     this.#isAwaited = false;
     this.#end();
   }
@@ -65,9 +67,11 @@ export class FilmView {
     this.#slowness = times;
   }
 
-  play(pictures) {
+  play({ drum, pictures }) {
     this.#isAwaited = false;
-    if (pictures.length % this.#facts.picture.size) return; // of the drum before
+    const facts = this.#drums[drum];
+    if (!facts || pictures.length % facts.picture.size) return; // of the drum before
+    this.#facts = facts;
     this.#pictures = pictures;
     this.#most = this.#highest();
     this.#time = 0;
@@ -98,7 +102,7 @@ export class FilmView {
     if (at >= this.#pictures.length / size - 1) return this.#end();
     const picture = this.#between(at);
     this.#draw(picture);
-    this.#setHeights({ circles, angles, of: picture, most: this.#most });
+    this.#setHeights({ drum: this.#drums.indexOf(this.#facts), circles, angles, of: picture, most: this.#most });
     this.#tell();
     this.#ask();
   }

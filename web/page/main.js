@@ -188,7 +188,7 @@ function useDrum(built) {
   showProgress(1);
   showFacts();
   view.show(drums());
-  if (facts.picture) film.show(facts);
+  film.show(drums());
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
   controls.show(drums()[last.drum]);
@@ -243,12 +243,10 @@ function showStrainer(strainer) {
   view.setSnares(strainer > 0);
 }
 
-/* Of a kit there is none. */
-const isFilmed = () => element("slow").checked && !isKit();
+const isFilmed = () => element("slow").checked;
 
 function showSlowMotion() {
   const on = isFilmed();
-  element("slow").disabled = isKit();
   element("slowness").disabled = !on;
   film.setOn(on);
   sound.film(on);
@@ -506,7 +504,7 @@ function listen() {
       hasMoved = true;
       showStrainer(value);
     },
-    filmed: ({ pictures }) => film.play(pictures),
+    filmed: (taken) => film.play(taken),
   };
   for (const [type, use] of Object.entries(heard)) {
     sound.addEventListener(type, ({ detail }) => use(detail));

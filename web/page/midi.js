@@ -10,30 +10,25 @@ const NO_MEMORY = "there is not enough memory";
 /** Plays MIDI on the definition of a drum or a kit. It makes no sound. */
 export class MidiMap {
   #engine;
-  #kind = "drum"; // or "kit": the engine has the same functions for both
   #instrument = 0; // its address; 0: none yet
 
   constructor(engine) {
     this.#engine = engine;
   }
 
-  #call(name, ...values) {
-    return this.#engine[`${this.#kind}_${name}`](this.#instrument, ...values);
-  }
-
   /** Another drum or kit, which the engine has built before: nothing in it is refused. */
   follow(preset, settings) {
-    if (this.#instrument) this.#call("destroy");
+    const engine = this.#engine;
+    engine.instrument_destroy(this.#instrument);
     const kit = kitOf(preset);
-    this.#kind = kit === null ? "drum" : "kit";
-    this.#instrument = withText(this.#engine, kit ?? preset, this.#engine[`${this.#kind}_create`]);
-    for (const setting of settings) change(this.#engine, this.#engine[`${this.#kind}_set`], this.#instrument, setting);
-    this.#call("begin_midi");
+    this.#instrument = withText(engine, kit ?? preset, (name) => engine.instrument_create(name, Number(kit !== null)));
+    for (const setting of settings) change(engine, this.#instrument, setting);
+    engine.instrument_begin_midi(this.#instrument);
   }
 
   /** What a message does: { kind: "stroke", drum, velocity, radius, angle, technique }, { kind: "strainer", value } or null. */
   take([status, first = 0, second = 0]) {
-    return this.#actionAt(this.#call("take_midi", status, first, second));
+    return this.#actionAt(this.#engine.instrument_take_midi(this.#instrument, status, first, second));
   }
 
   #actionAt(address) {
@@ -49,7 +44,7 @@ export class MidiMap {
     const bytes = new Uint8Array(await file.slice(0, engine.song_most_bytes() + 1).arrayBuffer());
     const song = withBytes(engine, bytes, (address) => engine.song_read(address, bytes.length));
     if (!song) return { said: [NO_MEMORY], actions: null };
-    const isPlayed = this.#call("compose", song, rate);
+    const isPlayed = engine.song_compose(song, this.#instrument, rate);
     const list = (count, item) => Array.from({ length: count }, (_, i) => item(i));
     const said = list(engine.song_warning_count(song), (i) => textAt(engine, engine.song_warning(song, i)));
     if (!isPlayed) said.push(textAt(engine, engine.song_error(song)) || NO_MEMORY);
@@ -60,7 +55,7 @@ export class MidiMap {
 
   /** The velocity at which a note of a kit plays nearest to a speed [m/s]. */
   velocityOf(note, speed) {
-    return this.#call("velocity", note, speed);
+    return this.#engine.instrument_velocity(this.#instrument, note, speed);
   }
 }
 

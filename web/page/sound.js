@@ -48,9 +48,9 @@ export class Sound extends EventTarget {
 
   #sendDrum() {
     if (!this.#node || !this.#built) return;
-    const { drum, memory, facts } = this.#built;
+    const { instrument, memory } = this.#built;
     this.#built = null;
-    this.#send({ type: "drum", drum, memory, isKit: "drums" in facts }, [memory]);
+    this.#send({ type: "instrument", instrument, memory }, [memory]);
   }
 
   /** Call in a gesture: browsers refuse sound before one. A sound that could not be connected is tried anew. */

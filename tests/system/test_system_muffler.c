@@ -94,9 +94,10 @@ static void a_lifted_muffler_takes_nothing(void **state) {
   const TaborDrumDef def = muffled();
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);
-  const TaborEvent events[] = {
-    physics_strike(&def),
-    {.type = TABOR_EVENT_PARAMETER, .parameter = TB_PARAM_BATTER_MUFFLE_STRENGTH, .value = 0.0}};
+  const TaborEvent events[] = {physics_strike(&def),
+                               {.type = TABOR_EVENT_PARAMETER,
+                                .parameter = TB_PARAM_BATTER + TB_HEAD_MUFFLE_STRENGTH,
+                                .value = 0.0}};
   tabor_drum_process(drum, events, 2, NULL, 0);
   run(drum, 0.02);
   TaborLedger lifted, later;

@@ -143,8 +143,8 @@ TaborStatus tabor_drum_def_section(TaborDrumDef *def, const char *section, Tabor
 
 /* Of a head's tension and pitch the later one counts. */
 static void forget_pitch(TaborDrumDef *def, uint32_t id) {
-  if (id == TB_PARAM_BATTER_TENSION) def->batter.pitch = 0;
-  if (id == TB_PARAM_RESONANT_TENSION) def->resonant.pitch = 0;
+  if (id == TB_PARAM_BATTER + TB_HEAD_TENSION) def->batter.pitch = 0;
+  if (id == TB_PARAM_RESONANT + TB_HEAD_TENSION) def->resonant.pitch = 0;
 }
 
 TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,

@@ -52,6 +52,65 @@
     LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
     LUG(16, id, section, place)
 
+/* A head, whose parameters are numbered from `first` on. The heads differ in their usual sheets [N/m, kg/m2, N m]. */
+#define HEAD(first, section, place, tension_text, usual_tension, usual_density, usual_stiffness)   \
+  {ROW((first) + TB_HEAD_TENSION, section, "tension", "N/m", tension_text,                         \
+       NUMBER(100, 20000, usual_tension), LOGARITHMIC),                                            \
+   place(tension)},                                                                                \
+    {ROW((first) + TB_HEAD_PITCH, section, "pitch", "Hz",                                          \
+         "what a tuner reads at a lug, or a note such as Eb2+30; 0: as tension says",              \
+         NUMBER(0, 20000, 0)),                                                                     \
+     place(pitch), .least = 1, .zero = true, .note = true},                                        \
+    {ROW((first) + TB_HEAD_SURFACE_DENSITY, section, "surface_density", "kg/m2",                   \
+         "mass of the head per area", NUMBER(0.02, 5, usual_density), LOGARITHMIC),                \
+     place(surface_density)},                                                                      \
+    {ROW((first) + TB_HEAD_BENDING_STIFFNESS, section, "bending_stiffness", "N m",                 \
+         "bending stiffness of the head's sheet", NUMBER(0, 1, usual_stiffness)),                  \
+     place(bending_stiffness)},                                                                    \
+    {ROW((first) + TB_HEAD_DAMPING_0, section, "damping_0", "1/s",                                 \
+         "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),                    \
+     place(damping_0)},                                                                            \
+    {ROW((first) + TB_HEAD_DAMPING_K, section, "damping_k", "m/s",                                 \
+         "loss of the head that grows with the wave number, and so with frequency",                \
+         NUMBER(0, 5, 0)),                                                                         \
+     place(damping_k)},                                                                            \
+    {ROW((first) + TB_HEAD_DAMPING_1, section, "damping_1", "m2/s",                                \
+         "loss of the head that grows with the square of the wave number",                         \
+         NUMBER(0, 0.1, 0.0016)),                                                                  \
+     place(damping_1)},                                                                            \
+    {ROW((first) + TB_HEAD_STRETCH_STIFFNESS, section, "stretch_stiffness", "N/m",                 \
+         "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)), \
+     place(stretch_stiffness)},                                                                    \
+    {ROW((first) + TB_HEAD_MUFFLE_RADIUS, section, "muffle_radius", "m",                           \
+         "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),                 \
+     place(muffle_radius)},                                                                        \
+    {ROW((first) + TB_HEAD_MUFFLE_ANGLE, section, "muffle_angle", "deg",                           \
+         "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),                  \
+     place(muffle_angle)},                                                                         \
+    {ROW((first) + TB_HEAD_MUFFLE_STRENGTH, section, "muffle_strength", "N s/m",                   \
+         "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),                  \
+     place(muffle_strength)},                                                                      \
+    {ROW((first) + TB_HEAD_RING_RADIUS, section, "ring_radius", "m",                               \
+         "distance of the middle of the felt ring from the centre of the head",                    \
+         NUMBER(0, 0.6, 0.1)),                                                                     \
+     place(ring_radius)},                                                                          \
+    {ROW((first) + TB_HEAD_RING_WIDTH, section, "ring_width", "m", "width of the felt ring",       \
+         NUMBER(0.001, 1.2, 0.03)),                                                                \
+     place(ring_width)},                                                                           \
+    {ROW((first) + TB_HEAD_RING_STRENGTH, section, "ring_strength", "N s/m",                       \
+         "how hard the felt ring brakes the head, 0: none", NUMBER(0, 30, 0)),                     \
+     place(ring_strength)},                                                                        \
+    {ROW((first) + TB_HEAD_LUG_COUNT, section, "lug_count", "", "number of lugs around the head",  \
+         WHOLE(3, TABOR_MAX_LUGS, 10)),                                                            \
+     place(lug_count)},                                                                            \
+    {ROW((first) + TB_HEAD_LUG_SPREAD, section, "lug_spread", "",                                  \
+         "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),                 \
+     place(lug_spread)},                                                                           \
+    {ROW((first) + TB_HEAD_LUG_SEED, section, "lug_seed", "", "number that draws the deviations",  \
+         WHOLE(0, 4294967295.0, 1)),                                                               \
+     place(lug_seed)},                                                                             \
+    LUGS((first) + TB_HEAD_LUG, section, place)
+
 const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
   {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
@@ -93,116 +152,12 @@ const TbParam tb_params[] = {
        "damping of that motion as a part of critical damping", NUMBER(0, 2, 0.3)),
    AT(shell.stand_damping)},
 
-  {ROW(TB_PARAM_BATTER_TENSION, "batter", "tension", "N/m", "tension of the head",
-       NUMBER(100, 20000, 3000), LOGARITHMIC),
-   AT(batter.tension)},
-  {ROW(TB_PARAM_BATTER_PITCH, "batter", "pitch", "Hz",
-       "what a tuner reads at a lug, or a note such as Eb2+30; 0: as tension says",
-       NUMBER(0, 20000, 0)),
-   IN_BATTER(pitch), .least = 1, .zero = true, .note = true},
-  {ROW(TB_PARAM_BATTER_SURFACE_DENSITY, "batter", "surface_density", "kg/m2",
-       "mass of the head per area", NUMBER(0.02, 5, 0.262), LOGARITHMIC),
-   AT(batter.surface_density)},
-  {ROW(TB_PARAM_BATTER_BENDING_STIFFNESS, "batter", "bending_stiffness", "N m",
-       "bending stiffness of the head's sheet", NUMBER(0, 1, 0.0023)),
-   AT(batter.bending_stiffness)},
-  {ROW(TB_PARAM_BATTER_DAMPING_0, "batter", "damping_0", "1/s",
-       "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),
-   AT(batter.damping_0)},
-  {ROW(TB_PARAM_BATTER_DAMPING_K, "batter", "damping_k", "m/s",
-       "loss of the head that grows with the wave number, and so with frequency", NUMBER(0, 5, 0)),
-   AT(batter.damping_k)},
-  {ROW(TB_PARAM_BATTER_DAMPING_1, "batter", "damping_1", "m2/s",
-       "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
-   AT(batter.damping_1)},
-  {ROW(TB_PARAM_BATTER_STRETCH_STIFFNESS, "batter", "stretch_stiffness", "N/m",
-       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
-   AT(batter.stretch_stiffness)},
-  {ROW(TB_PARAM_BATTER_MUFFLE_RADIUS, "batter", "muffle_radius", "m",
-       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
-   AT(batter.muffle_radius)},
-  {ROW(TB_PARAM_BATTER_MUFFLE_ANGLE, "batter", "muffle_angle", "deg",
-       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
-   AT(batter.muffle_angle)},
-  {ROW(TB_PARAM_BATTER_MUFFLE_STRENGTH, "batter", "muffle_strength", "N s/m",
-       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
-   AT(batter.muffle_strength)},
-  {ROW(TB_PARAM_BATTER_RING_RADIUS, "batter", "ring_radius", "m",
-       "distance of the middle of the felt ring from the centre of the head", NUMBER(0, 0.6, 0.1)),
-   IN_BATTER(ring_radius)},
-  {ROW(TB_PARAM_BATTER_RING_WIDTH, "batter", "ring_width", "m", "width of the felt ring",
-       NUMBER(0.001, 1.2, 0.03)),
-   IN_BATTER(ring_width)},
-  {ROW(TB_PARAM_BATTER_RING_STRENGTH, "batter", "ring_strength", "N s/m",
-       "how hard the felt ring brakes the head, 0: none", NUMBER(0, 30, 0)),
-   IN_BATTER(ring_strength)},
-  {ROW(TB_PARAM_BATTER_LUG_COUNT, "batter", "lug_count", "", "number of lugs around the head",
-       WHOLE(3, TABOR_MAX_LUGS, 10)),
-   IN_BATTER(lug_count)},
-  {ROW(TB_PARAM_BATTER_LUG_SPREAD, "batter", "lug_spread", "",
-       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
-   IN_BATTER(lug_spread)},
-  {ROW(TB_PARAM_BATTER_LUG_SEED, "batter", "lug_seed", "", "number that draws the deviations",
-       WHOLE(0, 4294967295.0, 1)),
-   IN_BATTER(lug_seed)},
-  LUGS(TB_PARAM_BATTER_LUG, "batter", IN_BATTER),
-
+  HEAD(TB_PARAM_BATTER, "batter", IN_BATTER, "tension of the head", 3000, 0.262, 0.0023),
   /* The usual snare-side head: 3 mil (76 um) of Mylar, 1390 kg/m3, E = 3.8 GPa, nu = 0.3, so that
    * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material, hence
    * its losses. */
-  {ROW(TB_PARAM_RESONANT_TENSION, "resonant", "tension", "N/m", "tension of the lower head",
-       NUMBER(100, 20000, 2600), LOGARITHMIC),
-   IN_RESONANT(tension)},
-  {ROW(TB_PARAM_RESONANT_PITCH, "resonant", "pitch", "Hz",
-       "what a tuner reads at a lug, or a note such as Eb2+30; 0: as tension says",
-       NUMBER(0, 20000, 0)),
-   IN_RESONANT(pitch), .least = 1, .zero = true, .note = true},
-  {ROW(TB_PARAM_RESONANT_SURFACE_DENSITY, "resonant", "surface_density", "kg/m2",
-       "mass of the head per area", NUMBER(0.02, 5, 0.105), LOGARITHMIC),
-   IN_RESONANT(surface_density)},
-  {ROW(TB_PARAM_RESONANT_BENDING_STIFFNESS, "resonant", "bending_stiffness", "N m",
-       "bending stiffness of the head's sheet", NUMBER(0, 1, 1.5e-4)),
-   IN_RESONANT(bending_stiffness)},
-  {ROW(TB_PARAM_RESONANT_DAMPING_0, "resonant", "damping_0", "1/s",
-       "loss of the head, the same at all frequencies", NUMBER(0, 1000, 12)),
-   IN_RESONANT(damping_0)},
-  {ROW(TB_PARAM_RESONANT_DAMPING_K, "resonant", "damping_k", "m/s",
-       "loss of the head that grows with the wave number, and so with frequency", NUMBER(0, 5, 0)),
-   IN_RESONANT(damping_k)},
-  {ROW(TB_PARAM_RESONANT_DAMPING_1, "resonant", "damping_1", "m2/s",
-       "loss of the head that grows with the square of the wave number", NUMBER(0, 0.1, 0.0016)),
-   IN_RESONANT(damping_1)},
-  {ROW(TB_PARAM_RESONANT_STRETCH_STIFFNESS, "resonant", "stretch_stiffness", "N/m",
-       "how the head tightens as it stretches, E h/(1 - nu^2) of its sheet", NUMBER(0, 1e7, 0)),
-   IN_RESONANT(stretch_stiffness)},
-  {ROW(TB_PARAM_RESONANT_MUFFLE_RADIUS, "resonant", "muffle_radius", "m",
-       "distance of the damper on the head from its centre", NUMBER(0, 0.6, 0)),
-   IN_RESONANT(muffle_radius)},
-  {ROW(TB_PARAM_RESONANT_MUFFLE_ANGLE, "resonant", "muffle_angle", "deg",
-       "direction of the damper from the head's centre", NUMBER(-360, 360, 0)),
-   IN_RESONANT(muffle_angle)},
-  {ROW(TB_PARAM_RESONANT_MUFFLE_STRENGTH, "resonant", "muffle_strength", "N s/m",
-       "how hard the damper brakes the head, 0: none", NUMBER(0, 30, 0), LIVE),
-   IN_RESONANT(muffle_strength)},
-  {ROW(TB_PARAM_RESONANT_RING_RADIUS, "resonant", "ring_radius", "m",
-       "distance of the middle of the felt ring from the centre of the head", NUMBER(0, 0.6, 0.1)),
-   IN_RESONANT(ring_radius)},
-  {ROW(TB_PARAM_RESONANT_RING_WIDTH, "resonant", "ring_width", "m", "width of the felt ring",
-       NUMBER(0.001, 1.2, 0.03)),
-   IN_RESONANT(ring_width)},
-  {ROW(TB_PARAM_RESONANT_RING_STRENGTH, "resonant", "ring_strength", "N s/m",
-       "how hard the felt ring brakes the head, 0: none", NUMBER(0, 30, 0)),
-   IN_RESONANT(ring_strength)},
-  {ROW(TB_PARAM_RESONANT_LUG_COUNT, "resonant", "lug_count", "", "number of lugs around the head",
-       WHOLE(3, TABOR_MAX_LUGS, 10)),
-   IN_RESONANT(lug_count)},
-  {ROW(TB_PARAM_RESONANT_LUG_SPREAD, "resonant", "lug_spread", "",
-       "largest relative deviation of the tension at a lug", NUMBER(0, 0.5, 0)),
-   IN_RESONANT(lug_spread)},
-  {ROW(TB_PARAM_RESONANT_LUG_SEED, "resonant", "lug_seed", "", "number that draws the deviations",
-       WHOLE(0, 4294967295.0, 1)),
-   IN_RESONANT(lug_seed)},
-  LUGS(TB_PARAM_RESONANT_LUG, "resonant", IN_RESONANT),
+  HEAD(TB_PARAM_RESONANT, "resonant", IN_RESONANT, "tension of the lower head", 2600, 0.105,
+       1.5e-4),
 
   {ROW(TB_PARAM_WIRES_HEAD, "wires", "head", "", "head on which the wires lie",
        CHOICE("batter|resonant", TABOR_HEAD_BATTER)),

@@ -25,7 +25,7 @@ static TaborStatus refuse_computation(TaborStatus status, TaborError *error) {
 
 static TaborStatus refuse_pitch(const TbPitchAir *air, const TaborDrumDef *def, TaborHead which,
                                 double pitch, TaborError *error) {
-  const TaborParameter *const tension = &tb_param_by_id(TB_PARAM_BATTER_TENSION)->info;
+  const TaborParameter *const tension = &tb_param_by_id(TB_PARAM_BATTER + TB_HEAD_TENSION)->info;
   const char *const key = which == TABOR_HEAD_RESONANT ? "resonant.pitch" : "batter.pitch";
   double low, high;
   TaborStatus status = tb_head_pitch(air, def, which, tension->minimum, &low);
@@ -42,7 +42,7 @@ static TaborStatus refuse_pitch(const TbPitchAir *air, const TaborDrumDef *def, 
 
 static TaborStatus tune_head(const TbPitchAir *air, TaborDrumDef *def, TaborHead which,
                              TaborError *error) {
-  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_BATTER_TENSION)->info;
+  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_BATTER + TB_HEAD_TENSION)->info;
   TaborHeadDef *const head = head_of(def, which);
   if (head->pitch == 0) return TABOR_OK;
   double tension;
@@ -74,7 +74,7 @@ TaborStatus tb_tune(TaborDrumDef *def, const TbArena *beside, TaborError *error)
 /* The mode (1,1) of a head with the air's mass rho0/K on each side (head.h). */
 static void tune_roughly(const TaborDrumDef *def, TaborHeadDef *head) {
   static const double ZERO = 3.8317059702075125, PI = 3.14159265358979323846; /* of J_1 */
-  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_BATTER_TENSION)->info;
+  const TaborParameter *const range = &tb_param_by_id(TB_PARAM_BATTER + TB_HEAD_TENSION)->info;
   if (head->pitch == 0) return;
   const double k = ZERO / def->shell.radius, omega = 2.0 * PI * head->pitch;
   const double mass = head->surface_density + 2.0 * def->air.density / k;

@@ -77,6 +77,7 @@ typedef struct WebInstrument {
 
   PlayerMessage *messages; /* of the next block, in order of their frames */
   uint32_t message_count, message_room, taken;
+  PlayerMessage message; /* of a song, for JavaScript */
   float sound[MOST_CHANNELS][BLOCK];
   TaborLedger ledger;
   uint32_t filmed;                        /* number of the drum of the pictures */

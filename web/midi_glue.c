@@ -153,14 +153,29 @@ EXPORT("song_frame") uint32_t web_song_frame(const SongEvents *song, size_t inde
   return song_events_list(song)[index].event.frame;
 }
 
-/* Plays an event of the song at a frame of the next block. False if there is no memory. */
-EXPORT("song_send")
-bool web_song_send(const SongEvents *song, size_t index, WebInstrument *web, uint32_t frame) {
+EXPORT("message_size") uint32_t web_message_size(void) { return sizeof(PlayerMessage); }
+
+/* Writes an event of the song as a message, of message_size() bytes, which JavaScript keeps for instrument_send_message(); it is
+ * there until the next call. */
+EXPORT("song_message")
+const PlayerMessage *web_song_message(const SongEvents *song, size_t index, WebInstrument *web) {
   const TaborKitEvent *const event = &song_events_list(song)[index];
-  PlayerMessage message = player_message_from_kit(event);
   const bool is_gain = !web->is_kit && event->event.type == TABOR_EVENT_GAIN;
-  if (is_gain) message = (PlayerMessage){.type = PLAYER_EXPRESSION, .value = event->event.value};
-  return web_add(web, frame, &message);
+  web->message = player_message_from_kit(event);
+  if (is_gain)
+    web->message = (PlayerMessage){.type = PLAYER_EXPRESSION, .value = event->event.value};
+  return &web->message;
+}
+
+/* Where JavaScript puts such a message. */
+EXPORT("instrument_message") PlayerMessage *web_instrument_message(WebInstrument *web) {
+  return &web->message;
+}
+
+/* Plays the message that was put there, at a frame of the next block. False if there is no memory. */
+EXPORT("instrument_send_message")
+bool web_instrument_send_message(WebInstrument *web, uint32_t frame) {
+  return web_add(web, frame, &web->message);
 }
 
 /* What an event of the song does, until the next call. */

@@ -20,7 +20,8 @@ packed=$(echo tabor-*.tgz)
 echo "The package: $(wc -c <"$packed") bytes"
 says_size "$SOURCE/docs/web.md" 'The package is' "$(wc -c <"$packed")"
 tar -tzf "$packed" | sort >files
-printf 'package/%s\n' LICENSE README.md drum.js engine.js index.d.ts index.js instrument.js kit.js node.js package.json tabor.wasm | sort |
+printf 'package/%s\n' LICENSE README.md audio_node.js drum.js engine.js events.js index.d.ts index.js instrument.js kit.js node.js package.json \
+  tabor.wasm worklet.js | sort |
   diff - files || complain "the package has other files"
 
 mkdir project takes
@@ -46,9 +47,10 @@ done < <(grep '^take' log)
 export CHROMIUM=${CHROMIUM-$(command -v chromium || true)}
 if [ -n "$CHROMIUM" ] && [ -e "$web_tools/node_modules/playwright-core" ]; then
   serve_folder "$SOURCE/build/web/npm"
-  quietly node "$SOURCE/tests/support/npm_in_browser.mjs" "$address" "$web_tools" browser.wav
+  quietly node "$SOURCE/tests/support/npm_in_browser.mjs" "$address" "$web_tools" browser.wav node.wav
   quietly "$TABOR" render tom-12 -q --format float --stereo --duration 0.2 -o native.wav
   "$INSPECT" equal browser.wav native.wav || complain "the package has other bits in a browser"
+  "$INSPECT" equal node.wav native.wav || complain "an audio node has other bits"
 else
   skip_part "there is no chromium or no playwright-core: tools/setup --web brings them"
 fi

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What users of the package for npm write, as TypeScript sees it. For test_npm.sh.
 import {
-  Drum, Kit, TaborError, kits, load, presets, render, renderKit, version, type DrumOptions, type Instrument, type KitOptions, type Ledger, type Stroke,
+  Drum, Kit, TaborError, createNode, kits, load, presets, render, renderKit, version, type DrumOptions, type Instrument, type KitOptions, type Ledger, type Stroke,
 } from "tabor";
 
 const options: DrumOptions = { quality: "live", sampleRate: 48000, set: { "batter.pitch": "A3", "wires.tension": 8 } };
@@ -29,6 +29,11 @@ export async function playKit(file: ArrayBuffer): Promise<Float32Array[]> {
   instrument.midi([0x99, 38, 100]);
   const { last, warnings } = instrument.midiFile(file);
   return warnings.length > 0 ? kit.process(last) : renderKit("jazz", file, { duration: 2 });
+}
+
+export async function connect(context: AudioContext): Promise<void> {
+  const node: AudioWorkletNode = await createNode(context, await Kit.create("jazz"));
+  node.connect(context.destination);
 }
 
 export const told = (error: unknown): string => (error instanceof TaborError ? `${error.key} ${error.minimum}` : "");

@@ -212,6 +212,14 @@ export function renderKit(
   options?: KitOptions & { duration?: number },
 ): Promise<Float32Array[]>;
 
+/**
+ * A node of Web Audio that plays a drum or a kit, with a channel for each of its own; connect it as any other. The context has the
+ * instrument's sample rate. From then on strokes, changes and MIDI act in the node, at once unless a frame is given, which counts from the
+ * first one that the node has played; its sound and its account are the node's. Bundlers have to keep worklet.js, engine.js and events.js
+ * as files beside each other.
+ */
+export function createNode(context: BaseAudioContext, instrument: Drum | Kit): Promise<AudioWorkletNode>;
+
 /** The kits that come with the package. */
 export function kits(): Promise<Preset[]>;
 

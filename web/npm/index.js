@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Drums computed from physics. index.d.ts describes every function.
+import { connectNode } from "./audio_node.js";
 import { Drum } from "./drum.js";
 import { startEngine, textAt } from "./engine.js";
 import { TaborError, bytesOf, inRange, startWith } from "./instrument.js";
@@ -110,5 +111,7 @@ export async function render(preset, events = [{}], { duration, ...options } = {
 export async function renderKit(kit, events, { duration, ...options } = {}) {
   return play(await Kit.create(kit, options), events, duration);
 }
+
+export const createNode = async (context, instrument) => connectNode(context, instrument, await loaded());
 
 export { Drum, Kit, TaborError };

@@ -2,6 +2,7 @@
 // What a drum and a kit have in common: an engine of its own, whose memory goes with it, and events in order of time.
 // index.d.ts describes it.
 import { LEDGER, change, textAt, withBytes, withText } from "./engine.js";
+import { send } from "./events.js";
 
 const BLOCK = 128; // frames that the engine computes at once at most (web/glue.h)
 const OWN_STRIKER = -1; // of the definition
@@ -61,9 +62,10 @@ export function bytesOf(file) {
 export class Instrument {
   #engine;
   #address;
-  #events = []; // { frame, send }, in the order in which they act
+  #events = []; // of events.js, in the order in which they act
   #frame = 0;
   #hearsMidi = false;
+  #port = null; // of the audio node in which it plays
 
   /** `make` gets an engine, and sets what it plays. */
   static async build(make, outputs, { quality = "live", sampleRate = 48000, set = {}, progress, mostSeconds = MOST_SECONDS,
@@ -157,6 +159,7 @@ export class Instrument {
   }
 
   ledger() {
+    this.#own();
     const values = new Float64Array(this.#engine.memory.buffer, this.call("instrument_ledger"), LEDGER.length);
     return Object.fromEntries(LEDGER.map((name, i) => [name, values[i]]));
   }
@@ -175,12 +178,13 @@ export class Instrument {
 
   /* ---- what happens to it ---- */
 
-  /** Events at one frame act in the order in which they were given. `send` gives one to the engine, at a frame of the next block. */
-  #add(frame, send) {
-    wholeFrom("frame", frame, this.#frame);
+  /** Events at one frame act in the order in which they were given. */
+  #add(event) {
+    wholeFrom("frame", event.frame, this.#frame);
+    if (this.#port) return this.#port.postMessage(event);
     let place = this.#events.length;
-    while (place > 0 && this.#events[place - 1].frame > frame) place--;
-    this.#events.splice(place, 0, { frame, send });
+    while (place > 0 && this.#events[place - 1].frame > event.frame) place--;
+    this.#events.splice(place, 0, event);
   }
 
   /** `own` has the numbers of the drum's default stroke: own("velocity"). */
@@ -194,7 +198,7 @@ export class Instrument {
     inRange("angle", angle, -360, 360, "degrees");
     const number = TECHNIQUES[oneOf("technique", technique, Object.keys(TECHNIQUES))];
     const which = striker === undefined ? OWN_STRIKER : strikers.indexOf(oneOf("striker", striker, strikers));
-    this.#add(frame, (offset) => this.call("instrument_strike", drum, offset, velocity, radius, angle, number, which));
+    this.#add({ frame, name: "instrument_strike", before: [drum], after: [velocity, radius, angle, number, which] });
   }
 
   /** `key` is one of the drum's, `full` what the instrument calls it. */
@@ -204,22 +208,24 @@ export class Instrument {
     if (!parameter) throw new TaborError(`${full}: this does not change while the drum rings`, full, value);
     const bound = (which) => this.#engine.parameter_bound(parameter, which);
     inRange(full, value, bound(0), bound(1), "");
-    this.#add(frame, (offset) => this.call("instrument_change", drum, offset, parameter, mic, value));
+    this.#add({ frame, name: "instrument_change", before: [drum], after: [parameter, mic, value] });
   }
 
   changeMix(parameter, value, frame = this.#frame) {
-    this.#add(frame, (offset) => this.call("instrument_mix", offset, parameter, value));
+    this.#add({ frame, name: "instrument_mix", before: [], after: [parameter, value] });
   }
 
   /** A message of MIDI, [status, first, second], as `tabor render --midi-file` plays it. */
   midi(message, frame = this.#frame) {
     const [status, first = 0, second = 0] = message;
     for (const byte of [status, first, second]) wholeFrom("a byte of a message", byte, 0);
-    this.#add(frame, (offset) => {
-      if (!this.#hearsMidi && !this.call("instrument_begin_midi")) throw new Error("there is not enough memory");
-      this.#hearsMidi = true;
-      return this.call("instrument_send_midi", offset, status, first, second);
-    });
+    this.#hearMidi();
+    this.#add({ frame, name: "instrument_send_midi", before: [], after: [status, first, second] });
+  }
+
+  #hearMidi() {
+    if (!this.#hearsMidi && !this.call("instrument_begin_midi")) throw new Error("there is not enough memory");
+    this.#hearsMidi = true;
   }
 
   /** The events of a MIDI file, its bytes, from a frame on. Returns the last frame that has one, and lines that say what was passed
@@ -241,12 +247,28 @@ export class Instrument {
     let last = frame;
     for (let i = 0; i < count; i++) {
       last = frame + engine.song_frame(song, i);
-      this.#add(last, (offset) => engine.song_send(song, i, this.#address, offset));
+      const message = engine.song_message(song, i, this.#address);
+      this.#add({ frame: last, message: new Uint8Array(engine.memory.buffer, message, engine.message_size()).slice() });
     }
-    return { last, warnings }; // the song stays in the engine's memory, which its events refer to
+    engine.song_free(song);
+    return { last, warnings };
+  }
+
+  /** What an audio node begins with, which plays on instead: its memory, and the events that are due. */
+  async leaveTo(connect) {
+    this.#own();
+    this.#hearMidi();
+    const memory = this.#engine.memory.buffer.slice(0);
+    this.#port = await connect({ address: this.#address, memory, events: this.#events });
+    this.#events = [];
+  }
+
+  #own() {
+    if (this.#port) throw new Error("it plays in an audio node, which has its sound and its account");
   }
 
   reset() {
+    this.#own();
     this.#events = [];
     this.#frame = 0;
     this.#hearsMidi = false;
@@ -255,20 +277,13 @@ export class Instrument {
 
   /* ---- sound ---- */
 
-  /** Hands the engine the events of the next block of so many frames. */
-  #send(frames) {
-    const later = this.#events.findIndex(({ frame }) => frame >= this.#frame + frames);
-    for (const { frame, send } of this.#events.splice(0, later < 0 ? this.#events.length : later)) {
-      if (!send(frame - this.#frame)) throw new Error("there is not enough memory");
-    }
-  }
-
   process(frames) {
     wholeFrom("frames", frames, 0);
+    this.#own();
     const channels = Array.from({ length: this.channelCount }, () => new Float32Array(frames));
     for (let done = 0; done < frames; ) {
       const count = Math.min(BLOCK, frames - done);
-      this.#send(count);
+      send(this.#engine, this.#address, this.#events, this.#frame, count);
       const address = this.call("instrument_play", count);
       const { buffer } = this.#engine.memory;
       channels.forEach((channel, i) => channel.set(new Float32Array(buffer, address + 4 * BLOCK * i, count), done));

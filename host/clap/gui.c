@@ -7,11 +7,10 @@
 #include "clap/host_calls.h"
 #include "clap/parameters.h"
 #include "clap/presets.h"
-#include "window/window_of.h"
+#include "window/plugin_window.h"
 
 typedef struct Gui {
-  const WindowKind *kind;
-  void *window;
+  PluginWindow *window;
   const clap_host_timer_support_t *timers;
   clap_id timer;
 } Gui;
@@ -79,7 +78,7 @@ static void play(void *shell) {
   instance->host->request_process(instance->host);
 }
 
-static void *make_window(Instance *instance, const WindowKind **kind) {
+static PluginWindow *make_window(Instance *instance) {
   const PluginWindowShell shell = {.shell = instance,
                                    .instrument = instance->instrument,
                                    .value = value,
@@ -89,7 +88,7 @@ static void *make_window(Instance *instance, const WindowKind **kind) {
                                    .use = use,
                                    .choose = choose,
                                    .play = play};
-  return window_of(&shell, kind);
+  return plugin_window_create(&shell);
 }
 
 /* ---- CLAP's extension ----------------------------------------------------------------------- */
@@ -115,7 +114,7 @@ static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, boo
 static Gui *make_gui(const clap_plugin_t *plugin) {
   Gui *const gui = calloc(1, sizeof *gui);
   if (!gui) return NULL;
-  gui->window = make_window(instance_of(plugin), &gui->kind);
+  gui->window = make_window(instance_of(plugin));
   if (gui->window) return gui;
   free(gui);
   return NULL;
@@ -130,16 +129,16 @@ static bool create(const clap_plugin_t *plugin, const char *api, bool floating) 
   if (!link->gui) return false;
   link->gui->timers = timers;
   link->gui->timer = CLAP_INVALID_ID;
-  window_scale(link->gui->kind, link->gui->window, 1);
+  plugin_window_scale(link->gui->window, 1);
   return true;
 }
 
 static void close_window(const clap_plugin_t *plugin) {
   Gui *const gui = gui_of(plugin);
-  if (!gui || !gui->kind->is_open(gui->window)) return;
+  if (!gui || !plugin_window_is_open(gui->window)) return;
   if (gui->timer != CLAP_INVALID_ID) gui->timers->unregister_timer(host_of(plugin), gui->timer);
   gui->timer = CLAP_INVALID_ID;
-  gui->kind->close(gui->window);
+  plugin_window_close(gui->window);
 }
 
 static void destroy(const clap_plugin_t *plugin) { close_window(plugin); }
@@ -147,14 +146,14 @@ static void destroy(const clap_plugin_t *plugin) { close_window(plugin); }
 static bool set_scale(const clap_plugin_t *plugin, double scale) {
   const Gui *const gui = gui_of(plugin);
   if (!gui || !(scale > 0)) return false;
-  window_scale(gui->kind, gui->window, scale);
+  plugin_window_scale(gui->window, scale);
   return true;
 }
 
 static bool get_size(const clap_plugin_t *plugin, uint32_t *width, uint32_t *height) {
   const Gui *const gui = gui_of(plugin);
   if (!gui) return false;
-  gui->kind->size(gui->window, width, height);
+  plugin_window_size(gui->window, width, height);
   return true;
 }
 
@@ -185,14 +184,14 @@ static bool adjust_size(const clap_plugin_t *plugin, uint32_t *width, uint32_t *
 static bool set_size(const clap_plugin_t *plugin, uint32_t width, uint32_t height) {
   const Gui *const gui = gui_of(plugin);
   if (!gui || width == 0 || height == 0 || width > INT16_MAX || height > INT16_MAX) return false;
-  gui->kind->resize(gui->window, width, height);
+  plugin_window_resize(gui->window, width, height);
   return true;
 }
 
 static bool set_parent(const clap_plugin_t *plugin, const clap_window_t *parent) {
   Gui *const gui = gui_of(plugin);
   if (!gui || strcmp(parent->api, CLAP_WINDOW_API_X11) != 0) return false;
-  if (!gui->kind->open(gui->window, parent->x11)) return false;
+  if (!plugin_window_open(gui->window, parent->x11)) return false;
   if (gui->timers->register_timer(host_of(plugin), WINDOW_PERIOD, &gui->timer)) return true;
   close_window(plugin);
   return false;
@@ -211,8 +210,8 @@ static void suggest_title(const clap_plugin_t *plugin, const char *title) {
 
 static bool show_or_hide(const clap_plugin_t *plugin, bool shown) {
   const Gui *const gui = gui_of(plugin);
-  if (!gui || !gui->kind->is_open(gui->window)) return false;
-  gui->kind->show(gui->window, shown);
+  if (!gui || !plugin_window_is_open(gui->window)) return false;
+  plugin_window_show(gui->window, shown);
   return true;
 }
 
@@ -237,7 +236,7 @@ static const clap_plugin_gui_t gui_functions = {.is_api_supported = is_api_suppo
 
 static void on_timer(const clap_plugin_t *plugin, clap_id timer) {
   const Gui *const gui = gui_of(plugin);
-  if (gui && timer == gui->timer) gui->kind->update(gui->window);
+  if (gui && timer == gui->timer) plugin_window_update(gui->window);
 }
 
 static const clap_plugin_timer_support_t timer_functions = {.on_timer = on_timer};
@@ -250,7 +249,7 @@ const void *gui_extension(const char *id) {
 void gui_end(const clap_plugin_t *plugin) {
   Gui *const gui = gui_of(plugin);
   close_window(plugin);
-  if (gui) gui->kind->destroy(gui->window);
+  if (gui) plugin_window_destroy(gui->window);
   free(gui);
   link_of(plugin)->gui = NULL;
 }

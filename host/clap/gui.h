@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file gui.h
- * The window of an instance (window/window_of.h) as CLAP's extension. It needs X11, and a
+ * The window of an instance (window/plugin_window.h) as CLAP's extension. It needs X11, and a
  * host with timers. no_gui.c is there in place of gui.c where plugins have no window.
  */
 #ifndef TABOR_CLAP_GUI_H

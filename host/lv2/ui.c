@@ -9,7 +9,7 @@
 #include <string.h>
 
 #include "lv2/instance.h"
-#include "window/window_of.h"
+#include "window/plugin_window.h"
 
 /* What the host offers. */
 typedef struct Features {
@@ -23,8 +23,7 @@ typedef struct Features {
 
 typedef struct Ui {
   Instance *instance;
-  const WindowKind *kind;
-  void *window;
+  PluginWindow *window;
   LV2UI_Write_Function write;
   LV2UI_Controller controller;
   const LV2UI_Touch *touch;         /* or NULL */
@@ -134,26 +133,26 @@ static bool make_window(Ui *ui) {
                                    .use = use,
                                    .choose = choose,
                                    .play = play};
-  ui->window = window_of(&shell, &ui->kind);
+  ui->window = plugin_window_create(&shell);
   return ui->window != NULL;
 }
 
 static bool open(Ui *ui, const Features *features, LV2UI_Widget *widget) {
   uint32_t width, height;
   if (!make_window(ui)) return false;
-  window_scale(ui->kind, ui->window, scale_of(features));
-  if (!ui->kind->open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
-  ui->kind->size(ui->window, &width, &height);
+  plugin_window_scale(ui->window, scale_of(features));
+  if (!plugin_window_open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
+  plugin_window_size(ui->window, &width, &height);
   if (features->resize)
     features->resize->ui_resize(features->resize->handle, (int)width, (int)height);
-  ui->kind->show(ui->window, true);
-  *widget = (LV2UI_Widget)(uintptr_t)ui->kind->id(ui->window);
+  plugin_window_show(ui->window, true);
+  *widget = (LV2UI_Widget)(uintptr_t)plugin_window_id(ui->window);
   return true;
 }
 
 static void cleanup(LV2UI_Handle handle) {
   Ui *const ui = handle;
-  ui->kind->destroy(ui->window);
+  plugin_window_destroy(ui->window);
   free(ui);
 }
 
@@ -199,14 +198,14 @@ static void port_event(LV2UI_Handle handle, uint32_t number, uint32_t size, uint
 
 static int idle(LV2UI_Handle handle) {
   Ui *const ui = handle;
-  ui->kind->update(ui->window);
+  plugin_window_update(ui->window);
   return 0;
 }
 
 static int resize(LV2UI_Feature_Handle handle, int width, int height) {
   if (width <= 0 || height <= 0 || width > INT16_MAX || height > INT16_MAX) return 1;
   Ui *const ui = handle;
-  ui->kind->resize(ui->window, (uint32_t)width, (uint32_t)height);
+  plugin_window_resize(ui->window, (uint32_t)width, (uint32_t)height);
   return 0;
 }
 

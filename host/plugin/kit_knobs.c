@@ -108,14 +108,14 @@ const KnobGroup kit_knob_groups[KIT_KNOB_GROUPS] = {
   }
 
 const KnobPage kit_knob_pages[KIT_KNOB_PAGES] = {
+  {1, "Drums", "Levels", KIT_KNOB_DRUMS, ROW(KIT_KNOB_LEVEL)},
+  {2, "Drums", "Tuning", KIT_KNOB_DRUMS, ROW(KIT_KNOB_TUNE)},
   {0,
    "Kit",
    "Kit",
    8,
    {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_COUPLING, KIT_KNOB_OVERHEADS, KIT_KNOB_GAIN,
     KIT_KNOB_NOTES, KIT_KNOB_VELOCITY_CURVE, KIT_KNOB_QUALITY}},
-  {1, "Drums", "Levels", KIT_KNOB_DRUMS, ROW(KIT_KNOB_LEVEL)},
-  {2, "Drums", "Tuning", KIT_KNOB_DRUMS, ROW(KIT_KNOB_TUNE)},
 };
 
 KnobRange kit_knob_range(KitKnobId id) {

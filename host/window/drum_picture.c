@@ -3,39 +3,17 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 static const double PI = 3.14159265358979323846;
 
 /* ---- places, at scale 1 --------------------------------------------------------------------- */
 
 static const double MIDDLE[2] = {205, 215}, RADIUS = 175, HOOP = 10;
-static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
-static const double MIC = 9;                                    /* radius of a microphone */
+static const double MIC = 9; /* radius of a microphone */
 static const double AROUND =
   0.15; /* of the head's radius, in which all lies that is outside of it */
 static const double MOST_MIC = 10; /* [m] from the axis */
 static const double DEPTH = 5e-4;  /* [m] of a head that is as bright or dark as can be */
-
-double drum_picture_position(double scale, double x) {
-  return fmin(fmax((x / scale - LEFT) / WIDE, 0), 1);
-}
-
-DrumPlace drum_picture_place(double scale, double x, double y) {
-  const double at = x / scale, down = y / scale;
-  DrumPlace place = {
-    .part = DRUM_PART_NONE, .x = (at - MIDDLE[0]) / RADIUS, .y = (MIDDLE[1] - down) / RADIUS};
-  place.button = button_at(at, down);
-  if (place.button != BUTTON_COUNT) place.part = DRUM_PART_BUTTON;
-  if (hypot(place.x, place.y) <= 1) {
-    place.part = DRUM_PART_HEAD;
-  } else if (box_has(&(Box){LEFT, TOP, WIDE, DRUM_WINDOW_CONTROLS * ROW}, at, down)) {
-    place.part = DRUM_PART_CONTROL;
-    place.control = (uint32_t)((down - TOP) / ROW);
-    place.x = drum_picture_position(scale, x);
-  }
-  return place;
-}
 
 /* ---- microphones ---------------------------------------------------------------------------- */
 
@@ -46,32 +24,44 @@ static double unseen(double part) {
   return part <= 1 ? part : 1 / fmax(1 - (part - 1) / AROUND, 1e-3);
 }
 
-static void mic_place(const DrumPicture *picture, const DrumMic *mic, double *x, double *y) {
-  const double away = RADIUS * seen(mic->radius / picture->scene.radius),
-               angle = mic->angle * PI / 180;
+static void mic_place(const WindowScene *scene, const WindowMic *mic, double *x, double *y) {
+  const double away = RADIUS * seen(mic->radius / scene->radius), angle = mic->angle * PI / 180;
   *x = MIDDLE[0] + away * cos(angle);
   *y = MIDDLE[1] - away * sin(angle);
 }
 
-uint32_t drum_picture_mic(const DrumPicture *picture, double scale, double x, double y) {
-  uint32_t found = DRUM_NO_MIC;
+static bool find_mic(const WindowScene *scene, double x, double y, uint32_t *found) {
   double nearest = MIC;
-  for (uint32_t i = 0; i < picture->scene.mic_count; i++) {
+  for (uint32_t i = 0; i < scene->mic_count; i++) {
     double at, down;
-    mic_place(picture, &picture->scene.mics[i], &at, &down);
-    const double away = hypot(x / scale - at, y / scale - down);
+    mic_place(scene, &scene->mics[i], &at, &down);
+    const double away = hypot(x - at, y - down);
     if (away >= nearest) continue;
     nearest = away;
-    found = i;
+    *found = i;
   }
-  return found;
+  return nearest < MIC;
 }
 
-void drum_picture_move_mic(const DrumPicture *picture, double scale, double x, double y,
-                           DrumMic *mic) {
-  const double at = (x / scale - MIDDLE[0]) / RADIUS, up = (MIDDLE[1] - y / scale) / RADIUS;
-  mic->radius = fmin(unseen(hypot(at, up)) * picture->scene.radius, MOST_MIC);
+void drum_picture_find(const WindowScene *scene, double x, double y, WindowPlace *place) {
+  const double at = (x - MIDDLE[0]) / RADIUS, up = (MIDDLE[1] - y) / RADIUS;
+  place->number = 0;
+  place->radius = hypot(at, up);
+  place->angle = atan2(up, at) * 180 / PI;
+  if (place->radius <= 1) place->part = WINDOW_DRUM;
+  if (find_mic(scene, x, y, &place->number)) place->part = WINDOW_MIC;
+}
+
+void drum_picture_move_mic(const WindowScene *scene, double x, double y, WindowMic *mic) {
+  const double at = (x - MIDDLE[0]) / RADIUS, up = (MIDDLE[1] - y) / RADIUS;
+  mic->radius = fmin(unseen(hypot(at, up)) * scene->radius, MOST_MIC);
   mic->angle = atan2(up, at) * 180 / PI;
+}
+
+void drum_picture_say_mic(const WindowMic *mic, char *text, size_t size) {
+  (void)snprintf(text, size, "%s: %.0f mm out, %.0f deg, %.0f mm %s; the wheel lifts it", mic->name,
+                 1e3 * mic->radius, mic->angle, 1e3 * fabs(mic->height),
+                 mic->height > 0 ? "up" : "down");
 }
 
 /* ---- the drum ------------------------------------------------------------------------------- */
@@ -114,82 +104,47 @@ static void draw_wires(cairo_t *cairo, const TaborView *view) {
   }
 }
 
-static void draw_stroke(cairo_t *cairo, const DrumPicture *picture) {
-  cairo_set_source_rgba(cairo, 0.95, 0.45, 0.10, picture->glow);
+static void draw_stroke(cairo_t *cairo, const WindowScene *scene) {
+  const double away = RADIUS * scene->struck[0], angle = scene->struck[1] * PI / 180;
+  cairo_set_source_rgba(cairo, 0.95, 0.45, 0.10, scene->glow[0]);
   cairo_new_path(cairo);
-  cairo_arc(cairo, MIDDLE[0] + RADIUS * picture->struck[0], MIDDLE[1] - RADIUS * picture->struck[1],
-            4 + 14 * (1 - picture->glow), 0, 2 * PI);
+  cairo_arc(cairo, MIDDLE[0] + away * cos(angle), MIDDLE[1] - away * sin(angle),
+            4 + 14 * (1 - scene->glow[0]), 0, 2 * PI);
   cairo_set_line_width(cairo, 3);
   cairo_stroke(cairo);
 }
 
 /* Those above the batter head are full, those below it or in the drum are hollow. */
-static void draw_mic(cairo_t *cairo, const DrumPicture *picture, uint32_t number) {
-  const DrumMic *const mic = &picture->scene.mics[number];
+static void draw_mic(cairo_t *cairo, const WindowScene *scene, uint32_t number) {
+  const WindowMic *const mic = &scene->mics[number];
   const char letter[] = {mic->name[0], '\0'};
   double x, y;
-  mic_place(picture, mic, &x, &y);
+  mic_place(scene, mic, &x, &y);
   cairo_new_path(cairo);
   cairo_arc(cairo, x, y, MIC - 1, 0, 2 * PI);
   cairo_set_source_rgba(cairo, 0.13, 0.20, 0.32, mic->height > 0 ? 0.85 : 0.35);
   cairo_fill_preserve(cairo);
   cairo_set_source_rgba(cairo, 0.13, 0.20, 0.32, 0.85);
-  if (number == picture->mic) accent(cairo);
+  if (number == scene->mic) accent(cairo);
   cairo_set_line_width(cairo, 1.5);
   cairo_stroke(cairo);
   ink(cairo);
   paint_text(cairo, x, y + 4, AT_MIDDLE, letter);
 }
 
-static void say_mic(const DrumMic *mic, char *text, size_t size) {
-  (void)snprintf(text, size, "%s: %.0f mm out, %.0f deg, %.0f mm %s; the wheel lifts it", mic->name,
-                 1e3 * mic->radius, mic->angle, 1e3 * fabs(mic->height),
-                 mic->height > 0 ? "up" : "down");
-}
-
-static void draw_drum(cairo_t *cairo, const DrumPicture *picture) {
-  char text[2 * WINDOW_TEXT];
+void drum_picture_draw(const WindowScene *scene, cairo_t *cairo) {
   cairo_set_source_rgb(cairo, 0.70, 0.72, 0.75);
   circle(cairo, RADIUS + HOOP);
   cairo_fill(cairo);
   cairo_set_source_rgb(cairo, 0.74, 0.725, 0.69);
   circle(cairo, RADIUS);
   cairo_fill(cairo);
-  if (picture->scene.view) {
+  if (scene->view) {
     cairo_set_antialias(cairo, CAIRO_ANTIALIAS_NONE);
-    draw_head(cairo, picture->scene.view);
+    draw_head(cairo, scene->view);
     cairo_set_antialias(cairo, CAIRO_ANTIALIAS_DEFAULT);
-    draw_wires(cairo, picture->scene.view);
+    draw_wires(cairo, scene->view);
   }
-  if (picture->glow > 0.02) draw_stroke(cairo, picture);
-  for (uint32_t i = 0; i < picture->scene.mic_count; i++) draw_mic(cairo, picture, i);
-  if (picture->mic < picture->scene.mic_count) {
-    say_mic(&picture->scene.mics[picture->mic], text, sizeof text);
-  } else {
-    (void)snprintf(text, sizeof text, "click to strike at %.1f m/s; the wheel changes it",
-                   picture->speed);
-  }
-  pale(cairo);
-  paint_text(cairo, MIDDLE[0], 422, AT_MIDDLE, text);
-}
-
-/* ---- controls and meters -------------------------------------------------------------------- */
-
-static void draw_control(cairo_t *cairo, uint32_t row, const DrumControl *control) {
-  const double y = TOP + ROW * row;
-  const Box way = {LEFT, y + 22, WIDE, 8};
-  pale(cairo);
-  paint_text(cairo, LEFT, y + 15, AT_LEFT, control->name);
-  if (!control->is_idle) ink(cairo);
-  paint_text(cairo, LEFT + WIDE, y + 15, AT_RIGHT, control->value);
-  paint_way(cairo, &way, control->is_idle ? 0 : control->position);
-}
-
-void drum_picture_draw(const DrumPicture *picture, cairo_t *cairo, double scale) {
-  const DrumWindowScene *const scene = &picture->scene;
-  paint_paper(cairo, scale);
-  draw_drum(cairo, picture);
-  for (uint32_t i = 0; i < picture->controls; i++) draw_control(cairo, i, &picture->control[i]);
-  paint_button(cairo, BUTTON_PAGE, scene->page, true);
-  paint_frame(cairo, scene->title, scene->is_second, scene->can_undo, picture->meters);
+  if (scene->glow[0] > 0.02) draw_stroke(cairo, scene);
+  for (uint32_t i = 0; i < scene->mic_count; i++) draw_mic(cairo, scene, i);
 }

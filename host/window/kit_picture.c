@@ -2,49 +2,18 @@
 #include "window/kit_picture.h"
 
 #include <math.h>
-#include <stdio.h>
 
 static const double PI = 3.14159265358979323846;
 
 /* ---- places, at scale 1 --------------------------------------------------------------------- */
 
 static const Box FLOOR = {20, 20, 370, 370};
-static const double SIDEWAYS = 45; /* [deg]: a drum that is tilted by more shows its shell */
-static const double NAMES = 420, LEVELS = 512, TUNES = 608, WAY = 88;
-static const double TOP = 76, ROW = 33;                   /* of the drums' controls */
-static const double BOTTOM = 352, HALF = 144, WIDE = 132; /* of those for all */
-static const double NAME_PLACE = 0.85;                    /* of a drum's depth */
-static const double HEADING = 62;
-static const double WAY_DOWN = 6, WAY_HEIGHT = 8;
+static const double SIDEWAYS = 45;     /* [deg]: a drum that is tilted by more shows its shell */
+static const double NAME_PLACE = 0.85; /* of a drum's depth */
+static const double NAME_SIZE = 11, TEXT_SIZE = 13; /* of letters: names, and all else */
 
-static bool is_sideways(const KitWindowDrum *drum) {
+static bool is_sideways(const WindowDrum *drum) {
   return drum->tilt > SIDEWAYS && drum->tilt < 180 - SIDEWAYS;
-}
-
-KitKnobId kit_picture_knob(const KitPicture *picture, uint32_t number) {
-  static const KitKnobId all[] = {KIT_KNOB_OVERHEADS, KIT_KNOB_GAIN};
-  const uint32_t drums =
-    picture->scene.drum_count < KIT_KNOB_DRUMS ? picture->scene.drum_count : KIT_KNOB_DRUMS;
-  if (number < drums) return (KitKnobId)(KIT_KNOB_LEVEL + number);
-  if (number < 2 * drums) return (KitKnobId)(KIT_KNOB_TUNE + number - drums);
-  if (number - 2 * drums < sizeof all / sizeof *all) return all[number - 2 * drums];
-  return KIT_KNOB_COUNT;
-}
-
-/* The way of a control. */
-static Box way_of(KitKnobId knob) {
-  if (knob == KIT_KNOB_OVERHEADS || knob == KIT_KNOB_GAIN) {
-    const double x = knob == KIT_KNOB_GAIN ? NAMES + HALF : NAMES;
-    return (Box){x, BOTTOM + WAY_DOWN, WIDE, WAY_HEIGHT};
-  }
-  const bool tunes = knob >= KIT_KNOB_TUNE;
-  const double row = knob - (tunes ? KIT_KNOB_TUNE : KIT_KNOB_LEVEL);
-  return (Box){tunes ? TUNES : LEVELS, TOP + ROW * row + WAY_DOWN, WAY, WAY_HEIGHT};
-}
-
-double kit_picture_position(KitKnobId knob, double scale, double x) {
-  const Box way = way_of(knob);
-  return fmin(fmax((x / scale - way.x) / way.width, 0), 1);
 }
 
 /* ---- the floor ------------------------------------------------------------------------------ */
@@ -54,10 +23,10 @@ typedef struct Floor {
   double x, y, scale; /* of the picture's middle [m]; pixels a metre */
 } Floor;
 
-static Floor floor_of(const KitWindowScene *scene) {
+static Floor floor_of(const WindowScene *scene) {
   double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
   for (uint32_t i = 0; i < scene->drum_count; i++) {
-    const KitWindowDrum *const drum = &scene->drums[i];
+    const WindowDrum *const drum = &scene->drums[i];
     const double reach = is_sideways(drum) ? fmax(drum->radius, drum->depth) : drum->radius;
     least[0] = fmin(least[0], drum->x - reach);
     least[1] = fmin(least[1], drum->y - reach);
@@ -77,14 +46,14 @@ static double down(const Floor *floor, double y) {
 }
 
 /* A place in the frame of a drum on its side: along its axis from the batter head on, and aside [m]. */
-static void turned(const KitWindowDrum *drum, double x, double y, double *along, double *aside) {
+static void turned(const WindowDrum *drum, double x, double y, double *along, double *aside) {
   const double angle = drum->facing * PI / 180;
   const double away_x = x - drum->x, away_y = y - drum->y;
   *along = -(away_x * cos(angle) + away_y * sin(angle));
   *aside = -away_x * sin(angle) + away_y * cos(angle);
 }
 
-static bool is_over(const KitWindowDrum *drum, double x, double y) {
+static bool is_over(const WindowDrum *drum, double x, double y) {
   double along, aside;
   if (!is_sideways(drum)) return hypot(x - drum->x, y - drum->y) <= drum->radius;
   turned(drum, x, y, &along, &aside);
@@ -92,10 +61,10 @@ static bool is_over(const KitWindowDrum *drum, double x, double y) {
 }
 
 /* Higher drums hide lower ones. */
-static bool find_drum(const KitWindowScene *scene, double x, double y, uint32_t *found) {
+static bool find_drum(const WindowScene *scene, double x, double y, uint32_t *found) {
   double highest = -INFINITY;
   for (uint32_t i = 0; i < scene->drum_count; i++) {
-    const KitWindowDrum *const drum = &scene->drums[i];
+    const WindowDrum *const drum = &scene->drums[i];
     const double top = drum->height + (is_sideways(drum) ? drum->radius : 0);
     if (top <= highest || !is_over(drum, x, y)) continue;
     highest = top;
@@ -104,33 +73,21 @@ static bool find_drum(const KitWindowScene *scene, double x, double y, uint32_t 
   return highest > -INFINITY;
 }
 
-KitPlace kit_picture_place(const KitPicture *picture, double scale, double x, double y) {
-  const double at = x / scale, low = y / scale;
-  KitPlace place = {.part = KIT_PART_NONE, .button = button_at(at, low)};
-  KitKnobId knob;
-  if (place.button != BUTTON_COUNT) place.part = KIT_PART_BUTTON;
-  for (uint32_t i = 0; (knob = kit_picture_knob(picture, i)) != KIT_KNOB_COUNT; i++) {
-    const Box way = way_of(knob), reach = {way.x, way.y - 18, way.width, way.height + 22};
-    if (!box_has(&reach, at, low)) continue;
-    place.part = KIT_PART_CONTROL;
-    place.knob = knob;
-  }
-  const Floor floor = floor_of(&picture->scene);
-  const double there = floor.x + (at - across(&floor, floor.x)) / floor.scale;
-  const double away = floor.y - (low - down(&floor, floor.y)) / floor.scale;
-  if (place.part != KIT_PART_NONE || !find_drum(&picture->scene, there, away, &place.drum))
-    return place;
-  const KitWindowDrum *const drum = &picture->scene.drums[place.drum];
-  place.part = KIT_PART_DRUM;
-  place.radius = is_sideways(drum) ? -1 : hypot(there - drum->x, away - drum->y) / drum->radius;
-  place.angle = atan2(away - drum->y, there - drum->x) * 180 / PI;
-  return place;
+void kit_picture_find(const WindowScene *scene, double x, double y, WindowPlace *place) {
+  const Floor floor = floor_of(scene);
+  const double there = floor.x + (x - across(&floor, floor.x)) / floor.scale;
+  const double away = floor.y - (y - down(&floor, floor.y)) / floor.scale;
+  if (!find_drum(scene, there, away, &place->number)) return;
+  const WindowDrum *const drum = &scene->drums[place->number];
+  place->part = WINDOW_DRUM;
+  place->radius = is_sideways(drum) ? -1 : hypot(there - drum->x, away - drum->y) / drum->radius;
+  place->angle = atan2(away - drum->y, there - drum->x) * 180 / PI;
 }
 
 /* ---- the drums ------------------------------------------------------------------------------ */
 
 /* Its outline from above. */
-static void trace_drum(cairo_t *cairo, const Floor *floor, const KitWindowDrum *drum) {
+static void trace_drum(cairo_t *cairo, const Floor *floor, const WindowDrum *drum) {
   cairo_save(cairo);
   cairo_translate(cairo, across(floor, drum->x), down(floor, drum->y));
   cairo_new_path(cairo);
@@ -144,7 +101,7 @@ static void trace_drum(cairo_t *cairo, const Floor *floor, const KitWindowDrum *
   cairo_restore(cairo);
 }
 
-static void draw_drum(cairo_t *cairo, const Floor *floor, const KitWindowDrum *drum, double glow) {
+static void draw_drum(cairo_t *cairo, const Floor *floor, const WindowDrum *drum, double glow) {
   trace_drum(cairo, floor, drum);
   const double rest[3] = {is_sideways(drum) ? 0.36 : 0.74, is_sideways(drum) ? 0.30 : 0.725,
                           is_sideways(drum) ? 0.26 : 0.69};
@@ -168,10 +125,10 @@ static void draw_drum(cairo_t *cairo, const Floor *floor, const KitWindowDrum *d
 }
 
 /* From the lowest to the highest. */
-static void draw_drums(cairo_t *cairo, const KitPicture *picture) {
-  const KitWindowScene *const scene = &picture->scene;
+void kit_picture_draw(const WindowScene *scene, cairo_t *cairo) {
   const Floor floor = floor_of(scene);
   double below = -INFINITY;
+  cairo_set_font_size(cairo, NAME_SIZE);
   for (uint32_t drawn = 0; drawn < scene->drum_count;) {
     double next = INFINITY;
     for (uint32_t i = 0; i < scene->drum_count; i++) {
@@ -179,45 +136,10 @@ static void draw_drums(cairo_t *cairo, const KitPicture *picture) {
     }
     for (uint32_t i = 0; i < scene->drum_count; i++) {
       if (scene->drums[i].height != next) continue;
-      draw_drum(cairo, &floor, &scene->drums[i], picture->glow[i]);
+      draw_drum(cairo, &floor, &scene->drums[i], scene->glow[i]);
       drawn++;
     }
     below = next;
   }
-}
-
-/* ---- controls ------------------------------------------------------------------------------- */
-
-static void draw_control(cairo_t *cairo, const KitPicture *picture, KitKnobId knob) {
-  const Box way = way_of(knob);
-  paint_way(cairo, &way, picture->position[knob]);
-  ink(cairo);
-  paint_text(cairo, way.x + way.width, way.y - 4, AT_RIGHT, picture->value[knob]);
-  pale(cairo);
-  if (knob >= KIT_KNOB_TUNE) return;
-  if (knob >= KIT_KNOB_LEVEL) {
-    paint_text(cairo, NAMES, way.y + 7, AT_LEFT, picture->scene.drums[knob - KIT_KNOB_LEVEL].name);
-  } else {
-    paint_text(cairo, way.x, way.y - 4, AT_LEFT, kit_knobs[knob].name);
-  }
-}
-
-void kit_picture_draw(const KitPicture *picture, cairo_t *cairo, double scale) {
-  const KitWindowScene *const scene = &picture->scene;
-  char text[WINDOW_TEXT];
-  KitKnobId knob;
-  paint_paper(cairo, scale);
-  cairo_set_font_size(cairo, 11);
-  draw_drums(cairo, picture);
-  pale(cairo);
-  paint_text(cairo, LEVELS, HEADING, AT_LEFT, "level");
-  paint_text(cairo, TUNES, HEADING, AT_LEFT, "tuning");
-  for (uint32_t i = 0; (knob = kit_picture_knob(picture, i)) != KIT_KNOB_COUNT; i++)
-    draw_control(cairo, picture, knob);
-  cairo_set_font_size(cairo, 13);
-  (void)snprintf(text, sizeof text, "click to strike at %.1f m/s; the wheel changes it",
-                 picture->speed);
-  pale(cairo);
-  paint_text(cairo, FLOOR.x + 0.5 * FLOOR.width, 422, AT_MIDDLE, text);
-  paint_frame(cairo, scene->title, scene->is_second, scene->can_undo, picture->meters);
+  cairo_set_font_size(cairo, TEXT_SIZE);
 }

@@ -26,7 +26,7 @@ typedef enum Button {
   BUTTON_NEXT,
   BUTTON_COMPARE,
   BUTTON_UNDO,
-  BUTTON_PAGE, /**< of one drum's window alone */
+  BUTTON_PAGE,
   BUTTON_COUNT
 } Button;
 

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_window.h
- * The window of an instance (drum_window.h), whatever its plugin format: what it shows of the drum, strokes, controls,
- * presets, two drums to compare, and undo. All functions are for the main thread.
+ * The window of an instrument, whatever its plugin format: what it shows of the drum or the kit, strokes, controls,
+ * presets, two settings to compare, and undo. All functions are for the main thread.
  */
 #ifndef TABOR_WINDOW_PLUGIN_WINDOW_H
 #define TABOR_WINDOW_PLUGIN_WINDOW_H
 
 #include "plugin/instrument.h"
-#include "window/window_kind.h"
+#include "window/window_size.h"
 
 /** The shell of a plugin format. */
 typedef struct PluginWindowShell {
@@ -28,8 +28,24 @@ typedef struct PluginWindow PluginWindow;
 
 /** Creates one without a window. NULL if memory is short. */
 PluginWindow *plugin_window_create(const PluginWindowShell *shell);
+/** Ignores NULL. What was undone and compared is forgotten. */
+void plugin_window_destroy(PluginWindow *window);
 
-/** What is done with a PluginWindow. */
-extern const WindowKind plugin_window_kind;
+/* Size [px] of the next window, and of an open one. */
+void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height);
+void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height);
+/** Gives it the size at @p scale, limited. */
+void plugin_window_scale(PluginWindow *window, double scale);
+
+/** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too little memory. */
+bool plugin_window_open(PluginWindow *window, unsigned long parent);
+bool plugin_window_is_open(const PluginWindow *window);
+void plugin_window_close(PluginWindow *window);
+
+/* Of an open window. */
+unsigned long plugin_window_id(const PluginWindow *window);
+void plugin_window_show(PluginWindow *window, bool shown);
+/** Takes what the mouse has done, and draws: every WINDOW_PERIOD. */
+void plugin_window_update(PluginWindow *window);
 
 #endif

@@ -16,7 +16,8 @@ enum {
   KIT_NEXT_X = 682,
   KIT_NEXT_Y = 34
 };
-enum { KIT_LEVEL_X = 512, KIT_TUNE_X = 608, KIT_WAY = 88, KIT_FIRST_ROW = 86, KIT_ROW = 33 };
+enum { KIT_WAY_X = 420, KIT_WAY = 276, KIT_FIRST_ROW = 92, KIT_ROW = 40 }; /* of controls */
+enum { KIT_PAGE_X = 588 };
 
 /** The number of a drum; asserts that there is one of this name. */
 uint32_t kit_drum_named(const TaborKitDef *kit, const char *name);

@@ -142,13 +142,14 @@ static void controls_turn_and_the_host_is_told(void **state) {
   const KitKnobId level = (KitKnobId)(KIT_KNOB_LEVEL + snare),
                   tune = (KitKnobId)(KIT_KNOB_TUNE + snare);
   const int y = KIT_FIRST_ROW + KIT_ROW * (int)snare;
-  drag(&opened, KIT_LEVEL_X + KIT_WAY / 2, y, KIT_LEVEL_X + KIT_WAY / 4, y);
+  drag(&opened, KIT_WAY_X + KIT_WAY / 2, y, KIT_WAY_X + KIT_WAY / 4, y);
   assert_true(fabs(value_of(host, level) - (-60 + 84 * 0.25)) < 0.01);
   clap_host_run(host, 64);
   assert_int_equal(host->gestures, 1);
   assert_int_equal(host->turns, 2);
   assert_int_equal(host->turned, level);
-  click(&opened, KIT_TUNE_X + KIT_WAY / 4, y);
+  click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings */
+  click(&opened, KIT_WAY_X + KIT_WAY / 4, y);
   assert_true(fabs(value_of(host, tune) + 6) < 0.051);
   click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
   assert_true(value_of(host, tune) == 0);
@@ -214,8 +215,8 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   clap_host_render(opened.host, false);
   for (int i = 0; i < 40; i++) {
     click_on(&opened, (uint32_t)i % kit.drum_count);
-    if (i % 5 == 0) click(&opened, KIT_LEVEL_X + 2 * i, KIT_FIRST_ROW);
-    if (i % 20 == 19) click(&opened, KIT_TUNE_X + i, KIT_FIRST_ROW);
+    if (i % 5 == 0) click(&opened, KIT_WAY_X + 2 * i, KIT_FIRST_ROW);
+    if (i % 20 == 19) click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings, then the kit's */
     count_calls_begin();
     clap_host_run(opened.host, 512);
     const long calls = count_calls_end();

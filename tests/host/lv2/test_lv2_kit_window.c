@@ -71,7 +71,7 @@ static void controls_and_kits_are_ports_of_the_host(void **state) {
   Opened opened;
   open_host(&opened);
   const float *const ports = opened.host->kit_knobs;
-  drag(&opened, KIT_LEVEL_X + KIT_WAY / 2, KIT_FIRST_ROW, KIT_LEVEL_X + KIT_WAY / 4, KIT_FIRST_ROW);
+  drag(&opened, KIT_WAY_X + KIT_WAY / 2, KIT_FIRST_ROW, KIT_WAY_X + KIT_WAY / 4, KIT_FIRST_ROW);
   assert_true(fabsf(ports[KIT_KNOB_LEVEL] - (-60 + 84 * 0.25f)) < 0.01f);
   assert_true(opened.writes == 2 && opened.grabs == 1 && opened.releases == 1);
   click(&opened, KIT_NEXT_X, KIT_NEXT_Y);
@@ -104,8 +104,8 @@ static void runs_wait_for_nothing_while_it_is_open(void **state) {
   opened.host->freewheel = 0;
   for (int i = 0; i < 40; i++) {
     click_on(&opened, (uint32_t)i % kit.drum_count);
-    if (i % 5 == 0) click(&opened, KIT_LEVEL_X + 2 * i, KIT_FIRST_ROW);
-    if (i % 20 == 19) click(&opened, KIT_TUNE_X + i, KIT_FIRST_ROW);
+    if (i % 5 == 0) click(&opened, KIT_WAY_X + 2 * i, KIT_FIRST_ROW);
+    if (i % 20 == 19) click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings, then the kit's */
     count_calls_begin();
     opened.host->descriptor->run(opened.host->handle, 512);
     const long calls = count_calls_end();

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT */
+/**
+ * @file window_scene.h
+ * What a window shows at one moment: a page of controls, and one drum from above, or the drums of a kit where they stand.
+ */
+#ifndef TABOR_WINDOW_WINDOW_SCENE_H
+#define TABOR_WINDOW_WINDOW_SCENE_H
+
+#include "plugin/knob.h"
+#include "window/painting.h"
+
+#include <tabor/kit.h>
+
+#define WINDOW_NO_MIC UINT32_MAX
+
+typedef struct WindowControl {
+  uint32_t knob;
+  char name[WINDOW_TEXT], value[WINDOW_TEXT];
+  double position; /**< part of its way, 0 to 1 */
+  bool is_idle;    /**< of a part that is not there: it cannot be turned */
+} WindowControl;
+
+/** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
+typedef struct WindowMic {
+  char name[TABOR_NAME_SIZE];
+  double radius, angle, height;
+} WindowMic;
+
+/** A drum of a kit: the place of its batter head, seen from above, y away from the player [m]; angles [deg]. */
+typedef struct WindowDrum {
+  char name[TABOR_NAME_SIZE];
+  double x, y, height, radius, depth, tilt, facing;
+} WindowDrum;
+
+typedef struct WindowScene {
+  char title[TABOR_NAME_SIZE]; /**< name of the drum or kit */
+  bool is_second;              /**< of two settings to compare the second plays */
+  bool can_undo;
+  char page[WINDOW_TEXT]; /**< name of the page of controls */
+  uint32_t control_count;
+  WindowControl controls[KNOB_PAGE];
+  double meters[2];             /**< of each side, 1: full scale */
+  double speed;                 /**< of the next stroke [m/s] */
+  double glow[TABOR_KIT_DRUMS]; /**< of each drum: 1 when a fast stroke falls, then less */
+
+  bool is_kit;
+  /* one drum */
+  const TaborView *view; /**< NULL: the head and the wires are not seen */
+  double radius, depth;  /**< [m]; depth 0: it has one head */
+  uint32_t mic_count;
+  WindowMic mics[TABOR_MAX_MICS];
+  uint32_t mic; /**< whose place is written, or WINDOW_NO_MIC */
+  double
+    struck[2]; /**< place of the newest stroke, a part of the head's radius, and its angle [deg] */
+  /* a kit */
+  uint32_t drum_count;
+  WindowDrum drums[TABOR_KIT_DRUMS];
+} WindowScene;
+
+typedef enum WindowPart {
+  WINDOW_NOTHING,
+  WINDOW_DRUM,
+  WINDOW_MIC,
+  WINDOW_BUTTON,
+  WINDOW_CONTROL
+} WindowPart;
+
+/** What lies at a pixel. */
+typedef struct WindowPlace {
+  WindowPart part;
+  Button button;
+  uint32_t number; /**< of the drum, the microphone, or the control */
+  double radius,
+    angle; /**< on a drum: a part of the head's, or negative where no head is seen; [deg] */
+} WindowPlace;
+
+#endif

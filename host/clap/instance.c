@@ -35,7 +35,7 @@ static bool init(const clap_plugin_t *plugin) {
 static void close(Instance *instance) {
   Instrument *const instrument = instance->instrument;
   if (!instrument->is_open) return;
-  instrument->kind->calls->cancel(instrument);
+  builder_cancel(instrument->builder);
   worker_thread_stop(&instance->thread);
   instrument_close(instrument);
 }
@@ -69,7 +69,7 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
   if (!is_there && !open(instance_of(plugin), rate)) return false;
   if (!instrument->is_open) return true;
   if (is_there) {
-    calls->resume(instrument);
+    builder_resume(instrument->builder);
     calls->rest(instrument);
   }
   if (!calls->is_there(instrument)) plugin_run_prepare(instrument);
@@ -78,7 +78,7 @@ static bool activate(const clap_plugin_t *plugin, double rate, uint32_t least, u
 
 static void deactivate(const clap_plugin_t *plugin) {
   Instrument *const instrument = instrument_of(plugin);
-  if (instrument->is_open) instrument->kind->calls->cancel(instrument);
+  if (instrument->is_open) builder_cancel(instrument->builder);
 }
 
 static bool start_processing(const clap_plugin_t *plugin) {

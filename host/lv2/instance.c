@@ -48,7 +48,7 @@ static bool open(Instance *instance, double rate) {
 static void cleanup(LV2_Handle handle) {
   Instance *const instance = handle;
   Instrument *const instrument = instance->instrument;
-  if (instrument && instrument->is_open) instrument->kind->calls->cancel(instrument);
+  if (instrument && instrument->is_open) builder_cancel(instrument->builder);
   worker_thread_stop(&instance->thread);
   instrument_destroy(instrument);
   free(instance);
@@ -88,13 +88,13 @@ static void connect_port(LV2_Handle handle, uint32_t number, void *data) {
 
 static void activate(LV2_Handle handle) {
   Instrument *const instrument = ((Instance *)handle)->instrument;
-  instrument->kind->calls->resume(instrument);
+  builder_resume(instrument->builder);
   instrument->kind->calls->rest(instrument);
 }
 
 static void deactivate(LV2_Handle handle) {
   Instrument *const instrument = ((Instance *)handle)->instrument;
-  instrument->kind->calls->cancel(instrument);
+  builder_cancel(instrument->builder);
 }
 
 /* ---- knobs and files ------------------------------------------------------------------------ */

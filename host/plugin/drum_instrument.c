@@ -50,6 +50,7 @@ static bool has_part(const InstrumentSetting *setting, uint32_t id) {
 
 static bool begin(Instrument *instrument) {
   DrumInstrument *const drum = drum_of(instrument);
+  instrument->builder = &drum->worker.builder;
   const KnobSet set = (KnobSet)instrument->kind->variant;
   if (tabor_drum_def_preset(&drum->saved.def, DEFAULT_PRESET, NULL) != TABOR_OK) return false;
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
@@ -73,9 +74,7 @@ static bool open(Instrument *instrument, double rate) {
   const bool stereo = instrument->kind->variant != KNOBS_MULTI;
   memset(&drum->worker, 0, sizeof drum->worker);
   memset(&drum->player, 0, sizeof drum->player);
-  drum->worker.say = say;
-  drum->worker.context = instrument;
-  if (!model_worker_begin(&drum->worker, rate, stereo)) return false;
+  if (!model_worker_begin(&drum->worker, rate, stereo, say, instrument)) return false;
   if (drum->is_saved) model_worker_restore(&drum->worker, &drum->saved);
   if (plugin_player_begin(&drum->player, &drum->worker, rate, stereo)) return true;
   free_all(drum);
@@ -89,19 +88,7 @@ static void close(Instrument *instrument) {
   free_all(drum);
 }
 
-static void cancel(Instrument *instrument) { model_worker_cancel(&drum_of(instrument)->worker); }
-
-static void resume(Instrument *instrument) { model_worker_resume(&drum_of(instrument)->worker); }
-
 static void work(Instrument *instrument) { model_worker_work(&drum_of(instrument)->worker); }
-
-static bool is_cancelled(const Instrument *instrument) REALTIME {
-  return atomic_load(&read_only(instrument)->worker.is_cancelled);
-}
-
-static bool has_answer(const Instrument *instrument) {
-  return model_worker_reply(&read_only(instrument)->worker) != NULL;
-}
 
 TaborModel *drum_instrument_model(Instrument *instrument) {
   return instrument->is_open ? model_worker_model(&drum_of(instrument)->worker) : NULL;
@@ -302,11 +289,7 @@ const InstrumentCalls drum_instrument = {.size = sizeof(DrumInstrument),
                                          .end = end,
                                          .open = open,
                                          .close = close,
-                                         .cancel = cancel,
-                                         .resume = resume,
                                          .work = work,
-                                         .is_cancelled = is_cancelled,
-                                         .has_answer = has_answer,
                                          .note = note,
                                          .use = use,
                                          .blank = blank,

@@ -16,6 +16,7 @@
 #include <stdatomic.h>
 
 #include "midi/midi_map.h"
+#include "plugin/builder.h"
 #include "plugin/knob.h"
 #include "plugin/plugin_buffers.h"
 #include "plugin/window_link.h"
@@ -89,7 +90,8 @@ struct Instrument {
   atomic_bool is_renamed; /**< notes have other names */
   atomic_bool is_offline; /**< the host renders, and is in no hurry */
   double rate;
-  bool is_open; /**< changes only while no block is played */
+  bool is_open;     /**< changes only while no block is played */
+  Builder *builder; /**< of its models */
 
   PluginBuffers buffers; /**< AUDIO: of the block */
   uint32_t at;           /**< AUDIO: frames of it that were played */
@@ -111,13 +113,7 @@ struct InstrumentCalls {
 
   bool (*open)(Instrument *instrument, double rate); /**< false if memory is short */
   void (*close)(Instrument *instrument);             /**< while no worker works */
-  void (*cancel)(
-    Instrument
-      *instrument); /**< ANY. Ends what is built within 0.1 s, and nothing is until resume() */
-  void (*resume)(Instrument *instrument);
-  void (*work)(Instrument *instrument); /**< WORKER. Does what there is to do */
-  bool (*is_cancelled)(const Instrument *instrument) REALTIME;
-  bool (*has_answer)(const Instrument *instrument); /**< a worker is done */
+  void (*work)(Instrument *instrument);              /**< WORKER. Does what there is to do */
 
   /* A drum or kit as a whole. */
   void (*note)(Instrument *instrument, InstrumentSetting *setting);      /**< all but the knobs */

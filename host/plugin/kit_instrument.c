@@ -40,6 +40,7 @@ static bool has_knob(const InstrumentKind *kind, uint32_t id) REALTIME {
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
 static bool begin(Instrument *instrument) {
+  instrument->builder = &kit_of(instrument)->worker.builder;
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++)
     instrument->ranges[i] = kit_knob_range((KitKnobId)i);
   return own_kit_begin(&kit_of(instrument)->own);
@@ -65,19 +66,7 @@ static void close(Instrument *instrument) {
   kit_worker_end(&kit_of(instrument)->worker);
 }
 
-static void cancel(Instrument *instrument) { kit_worker_cancel(&kit_of(instrument)->worker); }
-
-static void resume(Instrument *instrument) { kit_worker_resume(&kit_of(instrument)->worker); }
-
 static void work(Instrument *instrument) { kit_worker_work(&kit_of(instrument)->worker); }
-
-static bool is_cancelled(const Instrument *instrument) REALTIME {
-  return atomic_load(&read_only(instrument)->worker.is_cancelled);
-}
-
-static bool has_answer(const Instrument *instrument) {
-  return atomic_load(&read_only(instrument)->worker.phase) == KIT_PHASE_ANSWERED;
-}
 
 OwnKit *kit_instrument_own(Instrument *instrument) { return &kit_of(instrument)->own; }
 
@@ -245,11 +234,7 @@ const InstrumentCalls kit_instrument = {.size = sizeof(KitInstrument),
                                         .end = end,
                                         .open = open,
                                         .close = close,
-                                        .cancel = cancel,
-                                        .resume = resume,
                                         .work = work,
-                                        .is_cancelled = is_cancelled,
-                                        .has_answer = has_answer,
                                         .note = note,
                                         .use = use,
                                         .blank = blank,

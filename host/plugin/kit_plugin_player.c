@@ -4,8 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "plugin/model_worker.h"
-
 static const double FADE = 0.03; /* [s] of a kit that leaves */
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
@@ -13,7 +11,7 @@ static const double FADE = 0.03; /* [s] of a kit that leaves */
 void kit_plugin_player_begin(KitPluginPlayer *player, KitWorker *worker) {
   memset(player, 0, sizeof *player);
   player->worker = worker;
-  player->fade_frames = (uint32_t)ceil(FADE * worker->rate);
+  player->fade_frames = (uint32_t)ceil(FADE * worker->builder.options.sample_rate);
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->values[i] = (float)kit_knobs[i].fallback;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
 }
@@ -208,7 +206,7 @@ static void change_to(KitPluginPlayer *player, KitVoice *next) {
 void kit_plugin_player_receive(KitPluginPlayer *player) {
   retire(player);
   KitWorker *const worker = player->worker;
-  if (atomic_load(&worker->phase) != KIT_PHASE_ANSWERED) return;
+  if (!builder_is(&worker->builder, BUILDER_ANSWERED)) return;
   if (player->leaving) {
     end_ringing(player);
     return;
@@ -219,7 +217,7 @@ void kit_plugin_player_receive(KitPluginPlayer *player) {
   } else if (!worker->failed) {
     player->has_asked = false; /* it was cancelled: ask again */
   }
-  atomic_store(&worker->phase, KIT_PHASE_IDLE);
+  builder_accept(&worker->builder);
 }
 
 void kit_plugin_player_export(KitPluginPlayer *player, bool exports) { player->exports = exports; }
@@ -268,8 +266,8 @@ static void ask(KitPluginPlayer *player) REALTIME;
 static void ask(KitPluginPlayer *player) {
   KitWorker *const worker = player->worker;
   if (is_wanted(player)) return;
-  if (atomic_load(&worker->phase) != KIT_PHASE_IDLE) {
-    if (is_outdated(player)) atomic_store(&worker->is_outdated, true);
+  if (!builder_is(&worker->builder, BUILDER_IDLE)) {
+    if (is_outdated(player)) builder_outdate(&worker->builder);
     return;
   }
   worker->playing = has_drums(player) ? player->now : NULL;
@@ -278,18 +276,17 @@ static void ask(KitPluginPlayer *player) {
   memcpy(worker->wanted, player->asked, sizeof worker->wanted);
   worker->is_held = player->asked[KIT_KNOB_QUALITY] != player->values[KIT_KNOB_QUALITY];
   player->has_asked = true;
-  atomic_store(&worker->is_outdated, false);
-  atomic_store(&worker->phase, KIT_PHASE_ASKED);
+  builder_ask(&worker->builder);
 }
 
 bool kit_plugin_player_ask(KitPluginPlayer *player) {
   KitWorker *const worker = player->worker;
   ask(player);
-  return atomic_load(&worker->phase) == KIT_PHASE_ASKED || atomic_load(&worker->retired) != NULL;
+  return builder_is(&worker->builder, BUILDER_ASKED) || atomic_load(&worker->retired) != NULL;
 }
 
 bool kit_plugin_player_is_settled(const KitPluginPlayer *player) {
-  return is_wanted(player) && atomic_load(&player->worker->phase) == KIT_PHASE_IDLE;
+  return is_wanted(player) && builder_is(&player->worker->builder, BUILDER_IDLE);
 }
 
 /* ---- sound ---------------------------------------------------------------------------------- */

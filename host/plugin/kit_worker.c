@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "plugin/model_cache.h"
-#include "plugin/model_worker.h"
 #include "plugin/sound_file.h"
 
 void kit_voice_destroy(KitVoice *voice) {
@@ -18,13 +17,11 @@ void kit_voice_destroy(KitVoice *voice) {
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, KitWorkerSayFn *say,
+void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, BuilderSayFn *say,
                       void *context) {
   memset(worker, 0, sizeof *worker);
-  worker->rate = rate;
+  builder_begin(&worker->builder, rate, say, context);
   worker->own = own;
-  worker->say = say;
-  worker->context = context;
 }
 
 static void free_retired(KitWorker *worker) {
@@ -33,58 +30,22 @@ static void free_retired(KitWorker *worker) {
 
 void kit_worker_end(KitWorker *worker) {
   free_retired(worker);
-  if (atomic_load(&worker->phase) == KIT_PHASE_ANSWERED) kit_voice_destroy(worker->answer);
-  atomic_store(&worker->phase, KIT_PHASE_IDLE);
+  if (builder_is(&worker->builder, BUILDER_ANSWERED)) kit_voice_destroy(worker->answer);
+  builder_accept(&worker->builder);
 }
-
-void kit_worker_cancel(KitWorker *worker) { atomic_store(&worker->is_cancelled, true); }
-
-void kit_worker_resume(KitWorker *worker) { atomic_store(&worker->is_cancelled, false); }
 
 /* ---- building ------------------------------------------------------------------------------- */
 
-static bool goes_on(double done, void *context) {
-  const KitWorker *const worker = context;
-  (void)done;
-  return !atomic_load(&worker->is_cancelled) && !atomic_load(&worker->is_outdated);
-}
-
-static void say(const KitWorker *worker, const char *what, const TaborError *error) {
-  char line[2 * TABOR_TEXT_SIZE];
-  (void)snprintf(line, sizeof line, "%s: %s", what, error->message);
-  if (worker->say) worker->say(worker->context, line);
-}
-
-static TaborStatus out_of_memory(TaborError *error) {
-  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
-  return TABOR_ERROR_MEMORY;
-}
-
-/* At the quality that was asked for, or the highest one below it that the limits allow. */
-static TaborStatus take_model(KitWorker *worker, const TaborDrumDef *def, TaborModel **model,
-                              TaborError *error) {
-  TaborModelOptions options;
-  tabor_model_options_default(&options);
-  options.sample_rate = worker->rate;
-  options.quality = TABOR_QUALITY_DRAFT + (uint32_t)worker->wanted[KIT_KNOB_QUALITY];
-  options.most_seconds = MODEL_WORKER_MOST_SECONDS;
-  options.most_bytes = MODEL_WORKER_MOST_BYTES;
-  options.progress = goes_on;
-  options.progress_context = worker;
-  for (;; options.quality--) {
-    const TaborStatus status = model_cache_take(def, &options, model, error);
-    if (status != TABOR_ERROR_LIMIT || options.quality <= TABOR_QUALITY_DRAFT) return status;
-    say(worker, "the next lower quality plays", error);
-  }
-}
-
 static TaborStatus take_models(KitWorker *worker, const TaborKitDef *def, KitVoice *voice,
                                TaborError *error) {
+  const uint32_t quality = TABOR_QUALITY_DRAFT + (uint32_t)worker->wanted[KIT_KNOB_QUALITY];
   TaborStatus status = TABOR_OK;
   for (uint32_t i = 0; i < def->drum_count && status == TABOR_OK; i++) {
     TaborDrumDef placed;
+    if (atomic_load(&worker->builder.is_outdated)) return TABOR_ERROR_CANCELLED;
     status = tabor_kit_def_place(def, i, &placed, error);
-    if (status == TABOR_OK) status = take_model(worker, &placed, &voice->models[i], error);
+    if (status == TABOR_OK)
+      status = builder_model(&worker->builder, &placed, quality, &voice->models[i], error);
   }
   return status;
 }
@@ -112,7 +73,7 @@ static bool read_sound(void *context, const char *name, KitSound *sound) {
   const KitWorker *const worker = context;
   char message[TABOR_TEXT_SIZE];
   const bool is_read = sound_file_read(name, sound, message, sizeof message);
-  if (!is_read && worker->say) worker->say(worker->context, message);
+  if (!is_read) builder_say_line(&worker->builder, message);
   return true;
 }
 
@@ -143,34 +104,26 @@ static TaborStatus build(KitWorker *worker, TaborError *error) {
   TaborKitDef *const def = malloc(sizeof *def);
   KitVoice *const voice = calloc(1, sizeof *voice);
   const TaborStatus status =
-    def && voice ? fill_voice(worker, def, voice, error) : out_of_memory(error);
+    def && voice ? fill_voice(worker, def, voice, error) : builder_out_of_memory(error);
   free(def);
   worker->answer = status == TABOR_OK ? voice : NULL;
   if (status != TABOR_OK) kit_voice_destroy(voice);
   return status;
 }
 
-/* Once: knobs are turned often. */
-static void say_held(KitWorker *worker) {
-  if (!worker->is_held || worker->has_said_held) return;
-  worker->has_said_held = true;
-  if (worker->say) worker->say(worker->context, PLUGIN_HELD_LINE);
-}
-
 static void say_missing(const KitWorker *worker) {
   if (!kit_knob_is_own(worker->wanted[KIT_KNOB_KIT]) || own_kit_version(worker->own) > 0) return;
-  if (worker->say) worker->say(worker->context, "no kit file has been loaded: the usual kit plays");
+  builder_say_line(&worker->builder, "no kit file has been loaded: the usual kit plays");
 }
 
 void kit_worker_work(KitWorker *worker) {
-  unsigned asked = KIT_PHASE_ASKED;
   TaborError error;
   free_retired(worker);
-  if (!atomic_compare_exchange_strong(&worker->phase, &asked, KIT_PHASE_BUILDING)) return;
-  say_held(worker);
+  if (!builder_take(&worker->builder)) return;
+  if (worker->is_held) builder_say_held(&worker->builder);
   say_missing(worker);
   const TaborStatus status = build(worker, &error);
   worker->failed = status != TABOR_OK && status != TABOR_ERROR_CANCELLED;
-  if (worker->failed) say(worker, "the kit stays as it is", &error);
-  atomic_store(&worker->phase, KIT_PHASE_ANSWERED);
+  if (worker->failed) builder_say(&worker->builder, "the kit stays as it is", &error);
+  builder_answer(&worker->builder);
 }

@@ -9,34 +9,12 @@
 #include "plugin/model_cache.h"
 #include "plugin/stick_choice.h"
 
-/* ---- cancellation --------------------------------------------------------------------------- */
-
-/* What is nearly done is finished: a knob that turns all the time would never be heard otherwise. */
-static const double NEARLY = 0.5; /* [s] */
-
-/* Also called by threads that wait for a model that another instance builds. */
-static bool goes_on(double done, void *context) {
-  ModelWorker *const worker = context;
-  if (atomic_load(&worker->is_cancelled)) return false;
-  return !(atomic_load(&worker->is_outdated) && (1.0 - done) * worker->seconds > NEARLY);
-}
-
-void model_worker_cancel(ModelWorker *worker) { atomic_store(&worker->is_cancelled, true); }
-
-void model_worker_resume(ModelWorker *worker) { atomic_store(&worker->is_cancelled, false); }
-
-void model_worker_outdate(ModelWorker *worker) { atomic_store(&worker->is_outdated, true); }
-
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-bool model_worker_begin(ModelWorker *worker, double rate, bool stereo) {
+bool model_worker_begin(ModelWorker *worker, double rate, bool stereo, BuilderSayFn *say,
+                        void *context) {
+  builder_begin(&worker->builder, rate, say, context);
   worker->stereo = stereo;
-  tabor_model_options_default(&worker->options);
-  worker->options.sample_rate = rate;
-  worker->options.most_seconds = MODEL_WORKER_MOST_SECONDS;
-  worker->options.most_bytes = MODEL_WORKER_MOST_BYTES;
-  worker->options.progress = goes_on;
-  worker->options.progress_context = worker;
   worker->program = worker->composed_program = MODEL_WORKER_NO_PROGRAM;
   for (uint32_t i = 0; i < KNOB_SEEN; i++) worker->base_seen[i] = NAN;
   memcpy(worker->composed_seen, worker->base_seen, sizeof worker->base_seen);
@@ -62,7 +40,7 @@ static void free_rooms(ModelWorker *worker, bool all) {
 
 /* A reply that was not taken. */
 static void destroy_offer(ModelWorker *worker) {
-  if (atomic_load(&worker->phase) != PHASE_ANSWERED || !worker->reply.is_news) return;
+  if (!builder_is(&worker->builder, BUILDER_ANSWERED) || !worker->reply.is_news) return;
   tabor_drum_destroy(worker->reply.drum);
 }
 
@@ -146,12 +124,6 @@ static void compose(ModelWorker *worker, Reply *reply) {
   memcpy(worker->composed_seen, reply->seen, sizeof reply->seen);
 }
 
-static void say(const ModelWorker *worker, const char *what, const TaborError *error) {
-  char line[2 * TABOR_TEXT_SIZE];
-  (void)snprintf(line, sizeof line, "%s: %s", what, error->message);
-  if (worker->say) worker->say(worker->context, line);
-}
-
 /* A pitch that was turned where the head cannot follow becomes the nearest that it can have. One that the drum was saved
  * with is passed over, as ever. */
 static double nearest_pitch(const ModelWorker *worker, const Reply *reply, KnobId id,
@@ -171,7 +143,8 @@ static void tune(const ModelWorker *worker, Reply *reply) {
     const double pitch = nearest_pitch(worker, reply, id, &error);
     *knob_field(&reply->def, id) = pitch;
     if (pitch > 0) reply->given[id] = (float)pitch;
-    say(worker, pitch > 0 ? "the nearest pitch plays" : "the head keeps its tension", &error);
+    builder_say(&worker->builder,
+                pitch > 0 ? "the nearest pitch plays" : "the head keeps its tension", &error);
   }
 }
 
@@ -234,11 +207,6 @@ static bool begins_anew(const ModelWorker *worker, const Reply *reply) {
   return !worker->model || reply->restoration != worker->built_restoration || was_chosen(worker);
 }
 
-static TaborStatus out_of_memory(TaborError *error) {
-  *error = (TaborError){.status = TABOR_ERROR_MEMORY, .message = "out of memory"};
-  return TABOR_ERROR_MEMORY;
-}
-
 /* The model's microphone for each of the plugins', by name. */
 static void choose_mics(const ModelWorker *worker, const TaborDrumDef *def, uint8_t *mics) {
   static const struct {
@@ -270,7 +238,7 @@ static TaborStatus prepare(ModelWorker *worker, TaborModel *model, Reply *reply,
   tabor_swap_route(reply->swap, mics, MODEL_WORKER_MICS);
   if (keep(worker, reply->swap) == TABOR_OK) return TABOR_OK;
   tabor_swap_destroy(reply->swap);
-  return out_of_memory(error);
+  return builder_out_of_memory(error);
 }
 
 /* ---- the room ------------------------------------------------------------------------------- */
@@ -290,11 +258,11 @@ static TaborStatus build_room(ModelWorker *worker, Reply *reply, bool chosen, Ta
   if (worker->stereo) def.room.kind = worker->request.room;
   if (worker->rooms && (chosen || same_room(&worker->rooms->def, &def))) return TABOR_OK;
   WorkerRoom *const room = calloc(1, sizeof *room);
-  if (!room) return out_of_memory(error);
+  if (!room) return builder_out_of_memory(error);
   choose_mics(worker, &def, mics);
   room->def = def;
-  const TaborStatus status =
-    room_mix_create(&room->mix, &def, worker->options.sample_rate, mics, MODEL_WORKER_MICS, error);
+  const TaborStatus status = room_mix_create(&room->mix, &def, worker->builder.options.sample_rate,
+                                             mics, MODEL_WORKER_MICS, error);
   if (status != TABOR_OK) {
     room_mix_free(&room->mix);
     free(room);
@@ -304,23 +272,6 @@ static TaborStatus build_room(ModelWorker *worker, Reply *reply, bool chosen, Ta
   worker->rooms = room;
   reply->room = &room->mix;
   return TABOR_OK;
-}
-
-/* At the quality that was asked for, or the highest one below it that the limits allow. */
-static TaborStatus take_model(ModelWorker *worker, const TaborDrumDef *def, TaborModel **model,
-                              TaborError *error) {
-  TaborModelOptions options = worker->options;
-  TaborModelEstimate estimate;
-  TaborStatus status;
-  options.quality = worker->request.quality;
-  for (;; options.quality--) {
-    status = tabor_model_estimate(def, &options, &estimate, error);
-    if (status != TABOR_OK) return status;
-    worker->seconds = estimate.seconds;
-    status = model_cache_take(def, &options, model, error);
-    if (status != TABOR_ERROR_LIMIT || options.quality <= TABOR_QUALITY_DRAFT) return status;
-    say(worker, "the next lower quality plays", error);
-  }
 }
 
 static void set_model(ModelWorker *worker, TaborModel *model) {
@@ -338,7 +289,8 @@ TaborModel *model_worker_model(ModelWorker *worker) {
 
 static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
   TaborModel *model = NULL;
-  TaborStatus status = take_model(worker, &reply->def, &model, error);
+  TaborStatus status =
+    builder_model(&worker->builder, &reply->def, worker->request.quality, &model, error);
   if (status != TABOR_OK) return status;
   reply->begins_anew = begins_anew(worker, reply);
   status = prepare(worker, model, reply, error);
@@ -350,13 +302,6 @@ static TaborStatus build(ModelWorker *worker, Reply *reply, TaborError *error) {
   }
   model_cache_give_back(unused);
   return status;
-}
-
-/* Once: knobs are turned often. */
-static void say_held(ModelWorker *worker) {
-  if (!worker->request.is_held || worker->has_said_held) return;
-  worker->has_said_held = true;
-  if (worker->say) worker->say(worker->context, PLUGIN_HELD_LINE);
 }
 
 /* Composes anew in any case, so that what is saved is not much older than the knobs. */
@@ -378,7 +323,7 @@ static void answer(ModelWorker *worker) {
   (void)pthread_mutex_unlock(&worker->lock);
   reply->is_news = reply->number != number || reply->restoration != restoration;
   if (!reply->is_news) return;
-  say_held(worker);
+  if (worker->request.is_held) builder_say_held(&worker->builder);
   reply->def = composed;
   midi_binding_make(&worker->map, &reply->def, &reply->binding);
   compose_model(worker, reply);
@@ -392,33 +337,25 @@ static void answer(ModelWorker *worker) {
     reply->restoration = restoration;
     return;
   }
-  if (reply->failed) say(worker, "the drum stays as it is", &error);
+  if (reply->failed) builder_say(&worker->builder, "the drum stays as it is", &error);
   if (!reply->failed && build_room(worker, reply, chosen, &error) != TABOR_OK) {
-    say(worker, "the room stays as it is", &error);
+    builder_say(&worker->builder, "the room stays as it is", &error);
   }
 }
 
 void model_worker_work(ModelWorker *worker) {
-  unsigned asked = PHASE_ASKED;
-  if (!atomic_compare_exchange_strong(&worker->phase, &asked, PHASE_BUILDING)) return;
+  if (!builder_take(&worker->builder)) return;
   answer(worker);
-  atomic_store(&worker->phase, PHASE_ANSWERED);
+  builder_answer(&worker->builder);
 }
 
 /* ---- the audio thread's --------------------------------------------------------------------- */
 
-bool model_worker_is_idle(const ModelWorker *worker) {
-  return atomic_load(&worker->phase) == PHASE_IDLE;
-}
-
 void model_worker_ask(ModelWorker *worker, const Request *request) {
   worker->request = *request;
-  atomic_store(&worker->is_outdated, false);
-  atomic_store(&worker->phase, PHASE_ASKED);
+  builder_ask(&worker->builder);
 }
 
 const Reply *model_worker_reply(const ModelWorker *worker) {
-  return atomic_load(&worker->phase) == PHASE_ANSWERED ? &worker->reply : NULL;
+  return builder_is(&worker->builder, BUILDER_ANSWERED) ? &worker->reply : NULL;
 }
-
-void model_worker_accept(ModelWorker *worker) { atomic_store(&worker->phase, PHASE_IDLE); }

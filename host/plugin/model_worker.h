@@ -3,20 +3,11 @@
  * @file model_worker.h
  * Builds an instance's models outside the audio thread and delivers them to it.
  *
- * The audio thread writes a request. A worker answers with a reply: a drum, or a swap for the current drum.
- * `phase` says which of the two owns request and reply, so neither waits for the other:
- *
- *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> ANSWERED --audio--> IDLE
+ * The audio thread writes a request; a worker answers with a reply: a drum, or a swap for the current drum (builder.h).
  *
  * The first reply has the drum. Later, a preset that is chosen by MIDI or restored replaces the drum, and a change of
  * knobs or quality keeps it ringing on another model; both are swaps. The room comes with the drum, and anew when
  * something changes that it depends on: the knob, or the drum's microphones, shell and air.
- *
- * In real time no drum is better than at PLUGIN_LIVE_QUALITY: what the knob asks for beyond is for export, and the log
- * says so.
- *
- * A host that renders offline waits for models. So none is built that takes more than MODEL_WORKER_MOST_SECONDS or
- * MODEL_WORKER_MOST_BYTES: the quality is lowered until it does, and the log says so.
  *
  * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
  * has chosen since. Knobs turned since then override values in it.
@@ -25,22 +16,12 @@
 #define TABOR_PLUGIN_MODEL_WORKER_H
 
 #include <pthread.h>
-#include <stdatomic.h>
 
-#include "base/realtime.h"
 #include "midi/midi_to_events.h"
+#include "plugin/builder.h"
 #include "plugin/knobs.h"
 #include "sound/player_message.h"
 #include "sound/room_mix.h"
-
-#define MODEL_WORKER_MOST_SECONDS 15.0      /**< that building a model may take, by its estimate */
-#define MODEL_WORKER_MOST_BYTES 1000000000u /**< that it may take meanwhile */
-
-/** The highest quality in real time. A snare drum at studio takes several times as long as it sounds. */
-#define PLUGIN_LIVE_QUALITY TABOR_QUALITY_LIVE
-
-/** For the host's log. */
-#define PLUGIN_HELD_LINE "studio and reference are for export; in real time the quality is live"
 
 #define MODEL_WORKER_NO_PROGRAM (-1)
 #define MODEL_WORKER_MICS 7 /**< outputs of a drum: top, bottom, near, far, left, right, inside */
@@ -81,11 +62,6 @@ typedef struct Reply {
   MidiBinding binding;     /**< MIDI binding of the model, without values set by MIDI */
 } Reply;
 
-typedef enum Phase { PHASE_IDLE, PHASE_ASKED, PHASE_BUILDING, PHASE_ANSWERED } Phase;
-
-/** Writes an error line to the host's log. Any thread but the audio thread. */
-typedef void ModelWorkerSayFn(void *context, const char *line);
-
 typedef struct WorkerRoom {
   RoomMix mix;
   TaborDrumDef def; /**< that it is of */
@@ -94,18 +70,12 @@ typedef struct WorkerRoom {
 
 typedef struct ModelWorker {
   /* set up once */
-  TaborModelOptions options;
+  Builder builder;
   bool stereo;
   MidiMap map; /**< the default map */
-  ModelWorkerSayFn *say;
-  void *context;
 
-  atomic_uint phase;       /**< a Phase */
   atomic_uint restoration; /**< number of the newest restoration */
   atomic_int program;      /**< last asked for by the audio thread, for model_worker_save() */
-  atomic_bool is_outdated; /**< the audio thread has another wish than what is being built */
-  atomic_bool is_cancelled;
-  double seconds; /**< that the model takes which is being built */
   Request request;
   Reply reply;
 
@@ -119,8 +89,7 @@ typedef struct ModelWorker {
   int32_t composed_program;
 
   /* worker thread */
-  bool has_said_held; /**< that the quality of an export is another one */
-  TaborModel *model;  /**< of the newest reply, from the cache; changes under lock */
+  TaborModel *model; /**< of the newest reply, from the cache; changes under lock */
   uint32_t built_restoration, built_choice; /**< of that model */
   TaborSwap **swaps;                        /**< swaps that the drum may still need */
   uint32_t swap_count, swap_room;
@@ -137,15 +106,12 @@ typedef struct SavedState {
 
 /** Initialises @p worker. False if memory is short. @p stereo: both sides of a drum without a stereo pair are heard by
  * its first microphone. */
-bool model_worker_begin(ModelWorker *worker, double rate, bool stereo);
+bool model_worker_begin(ModelWorker *worker, double rate, bool stereo, BuilderSayFn *say,
+                        void *context);
 /** Frees everything. Call after the drum was destroyed and while no worker works. */
 void model_worker_end(ModelWorker *worker);
 /** Makes @p saved, which is valid, the wanted drum. Any time, in parallel with all other functions. */
 void model_worker_restore(ModelWorker *worker, const SavedState *saved);
-/** Ends what is being built, and lets nothing be built until model_worker_resume(). Any time, in parallel with all
- * other functions; a worker then returns within 0.1 s. */
-void model_worker_cancel(ModelWorker *worker);
-void model_worker_resume(ModelWorker *worker);
 /** Saves the state. Any time, in parallel with all other functions. */
 void model_worker_save(ModelWorker *worker, SavedState *saved);
 /** The model that was built last, to be released by the caller; NULL if there is none. Any time, in parallel with all
@@ -159,15 +125,9 @@ void model_worker_work(ModelWorker *worker);
 
 /* AUDIO */
 
-/** Hands @p request to the workers; call only if model_worker_is_idle(). */
+/** Hands @p request to the workers; call only if the builder is idle. */
 void model_worker_ask(ModelWorker *worker, const Request *request) REALTIME;
-/** Says that another request will follow what is being built: a build that would go on for long ends. */
-void model_worker_outdate(ModelWorker *worker) REALTIME;
-/** True if model_worker_ask() may be called. */
-bool model_worker_is_idle(const ModelWorker *worker) REALTIME;
-/** Returns the reply, valid until model_worker_accept(); NULL while there is none. */
+/** Returns the reply, valid until builder_accept(); NULL while there is none. */
 const Reply *model_worker_reply(const ModelWorker *worker) REALTIME;
-/** Releases the reply. */
-void model_worker_accept(ModelWorker *worker) REALTIME;
 
 #endif

@@ -106,7 +106,7 @@ void plugin_player_receive(PluginPlayer *player) {
   const Reply *const reply = model_worker_reply(player->worker);
   if (!reply) return;
   land(player, reply);
-  model_worker_accept(player->worker);
+  builder_accept(&player->worker->builder);
 }
 
 static bool is_littered(const PluginPlayer *player) {
@@ -114,8 +114,9 @@ static bool is_littered(const PluginPlayer *player) {
 }
 
 bool plugin_player_ask(PluginPlayer *player) {
-  if (wants(player)) model_worker_outdate(player->worker);
-  if (!model_worker_is_idle(player->worker) || !(wants(player) || is_littered(player)))
+  if (wants(player)) builder_outdate(&player->worker->builder);
+  if (!builder_is(&player->worker->builder, BUILDER_IDLE) ||
+      !(wants(player) || is_littered(player)))
     return false;
   player->asked = player->request.number;
   player->asked_restoration = atomic_load(&player->worker->restoration);
@@ -145,5 +146,5 @@ bool plugin_player_is_silent(const PluginPlayer *player) {
 }
 
 bool plugin_player_is_settled(const PluginPlayer *player) {
-  return model_worker_is_idle(player->worker) && !wants(player);
+  return builder_is(&player->worker->builder, BUILDER_IDLE) && !wants(player);
 }

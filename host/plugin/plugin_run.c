@@ -29,7 +29,7 @@ static void take_at(PluginRun *run, uint32_t frame) {
 static bool has_to_wait(const PluginRun *run) REALTIME;
 static bool has_to_wait(const PluginRun *run) {
   return run->waits && !instrument_is_settled(run->instrument) &&
-         !calls_of(run)->is_cancelled(run->instrument);
+         !atomic_load(&run->instrument->builder->is_cancelled);
 }
 
 /* Plays with everything that comes. False where the run has to wait for another model; then it is to be called
@@ -62,12 +62,13 @@ static void wait_for_all(Instrument *instrument) {
   const struct timespec moment = {.tv_nsec = PAUSE};
   const InstrumentCalls *const calls = instrument->kind->calls;
   for (;;) {
-    if (calls->end_leaving && calls->has_answer(instrument)) calls->end_leaving(instrument);
+    if (calls->end_leaving && builder_is(instrument->builder, BUILDER_ANSWERED))
+      calls->end_leaving(instrument);
     (void)keep_up(instrument);
     if (instrument_is_settled(instrument)) return;
-    if (calls->is_cancelled(instrument)) return;
+    if (atomic_load(&instrument->builder->is_cancelled)) return;
     instrument_work(instrument);
-    if (!calls->has_answer(instrument))
+    if (!builder_is(instrument->builder, BUILDER_ANSWERED))
       (void)nanosleep(&moment, NULL); /* another thread is at it */
   }
 }

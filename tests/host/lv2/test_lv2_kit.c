@@ -195,20 +195,23 @@ static PluginHost *open_own_kit(void) {
 static void random_kits_are_those_of_render(void **state) {
   (void)state;
   static const char performed[] = "play --backend file --humanize 0 --record";
-  char path[256], options[300];
-  Take expected, played, take;
+  char path[256], options[300], softer[320];
+  Take expected, played, soft, take;
   take_open(&expected, 2);
+  take_open(&soft, 2);
   take_open(&played, 2);
   take_open(&take, PLUGIN_CHANNELS);
   song_path(path, sizeof path, "kit.ini");
   (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
+  (void)snprintf(softer, sizeof softer, "%s --gain -12", options); /* `play` clips */
   for (uint64_t seed = 1; seed <= random_songs; seed++) {
     print_message("seed %u\n", (unsigned)seed);
     kit_write_random(seed);
     song_write_random(seed);
     take_from(rendered, options, NULL, &expected);
-    take_from(performed, options, NULL, &played);
-    take_compare(&expected, &played, 0);
+    take_from(rendered, softer, NULL, &soft);
+    take_from(performed, softer, NULL, &played);
+    take_compare(&soft, &played, 0);
     PluginHost *const host = open_own_kit();
     host_play(host, song.messages, song.count, take.frames, 0, take.sound);
     const Take mix = pair_of(&take, 0);
@@ -216,6 +219,7 @@ static void random_kits_are_those_of_render(void **state) {
     host_close(host);
   }
   take_close(&expected);
+  take_close(&soft);
   take_close(&played);
   take_close(&take);
 }

@@ -250,6 +250,7 @@ const Knob knobs[KNOB_COUNT] = {
                   .fallback = 0,
                   .unit = "",
                   .choices = STICK_CHOICES,
+                  .is_costly = true,
                   .off = NAN,
                   .comment = "Which stick strikes, by its size and the material of its tip. No "
                              "effect on drums that are struck by something else."},
@@ -267,7 +268,7 @@ const Knob knobs[KNOB_COUNT] = {
                  .fallback = TABOR_ROOM_STUDIO,
                  .unit = "",
                  .choices = "None|Booth|Studio|Hall",
-                 .off = TABOR_ROOM_NONE,
+                 .off = NAN,
                  .comment = "The room around the drum, which all its microphones hear. Size, "
                             "decay and level are those of the drum's definition."},
   [KNOB_SOUND] = {.symbol = "sound_level",

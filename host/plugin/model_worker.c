@@ -256,7 +256,8 @@ static TaborStatus build_room(ModelWorker *worker, Reply *reply, bool chosen, Ta
   uint8_t mics[MODEL_WORKER_MICS];
   TaborDrumDef def = reply->def;
   if (worker->stereo) def.room.kind = worker->request.room;
-  if (worker->rooms && (chosen || same_room(&worker->rooms->def, &def))) return TABOR_OK;
+  const bool keeps = chosen && worker->request.keeps_room;
+  if (worker->rooms && (keeps || same_room(&worker->rooms->def, &def))) return TABOR_OK;
   WorkerRoom *const room = calloc(1, sizeof *room);
   if (!room) return builder_out_of_memory(error);
   choose_mics(worker, &def, mics);

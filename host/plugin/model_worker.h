@@ -33,13 +33,14 @@ typedef struct Request {
   uint32_t number;
   uint32_t restoration;      /**< number of the restoration that the other fields refer to */
   int32_t program;           /**< index of a built-in preset, or MODEL_WORKER_NO_PROGRAM */
-  uint32_t choice;           /**< counts program choices by MIDI, repeated ones too */
+  uint32_t choice;           /**< counts choices of a preset, repeated ones too */
   KnobTurn turns[KNOB_KEYS]; /**< of knobs, since then */
   KnobTurn strainer, grip;   /**< by MIDI, since then */
   float seen[KNOB_SEEN];     /**< values of the ports; a change is a turn of the knob */
   uint32_t quality;          /**< a TaborQuality */
   bool is_held;              /**< quality is below the knob's, since this is no export */
   uint32_t room;             /**< a TaborRoomKind; stereo plugin */
+  bool keeps_room;           /**< the newest choice was MIDI's */
   uint32_t stick;            /**< a choice of stick_choice.h */
 } Request;
 

@@ -249,6 +249,7 @@ void plugin_player_choose(PluginPlayer *player) {
   player->restored_drum = NAN;
   player->request.program = player->chosen;
   player->request.choice++;
+  player->request.keeps_room = true;
   player->request.number++;
   plugin_player_forget_turns(&player->request);
   if (!is_restoring(player)) player->given[KNOB_DRUM] = (float)player->chosen;
@@ -258,7 +259,9 @@ void plugin_player_choose(PluginPlayer *player) {
 static void turn_drum(PluginPlayer *player, float value) {
   plugin_player_begin_frame(player);
   take_preset(player, (uint32_t)lroundf(value));
-  if (plugin_player_has_choice(player)) plugin_player_choose(player);
+  if (!plugin_player_has_choice(player)) return;
+  plugin_player_choose(player);
+  player->request.keeps_room = false;
 }
 
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) {

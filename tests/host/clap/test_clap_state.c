@@ -153,6 +153,21 @@ static void test_an_instance_is_found_as_it_was_left(void **state) {
   found_as_left(used);
 }
 
+/* The drum that a control chooses stands in its own room at once, not only once the session is opened again. */
+static void test_a_chosen_drum_is_found_in_its_room(void **state) {
+  (void)state;
+  ClapHost *const host = open_active(), *const copy = open_drum();
+  set(host, KNOB_DRUM, FRAME_DRUM);
+  clap_host_run(host, GLIDE);
+  record(host, first, false);
+  clap_host_save(host, &saved);
+  assert_true(clap_host_load(copy, &saved));
+  record_anew(copy, second);
+  assert_same(first, second);
+  clap_host_close(host);
+  clap_host_close(copy);
+}
+
 static void test_values_of_parameters_come_back(void **state) {
   (void)state;
   ClapHost *const copy = open_drum();
@@ -474,6 +489,7 @@ int main(int argc, char **argv) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_loading_into_a_ringing_drum_changes_no_bit),
     cmocka_unit_test(test_an_instance_is_found_as_it_was_left),
+    cmocka_unit_test(test_a_chosen_drum_is_found_in_its_room),
     cmocka_unit_test(test_values_of_parameters_come_back),
     cmocka_unit_test(test_a_preset_that_is_on_its_way_is_saved),
     cmocka_unit_test(test_a_parameter_acts_on_a_restored_drum),

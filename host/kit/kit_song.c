@@ -3,6 +3,7 @@
 
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "midi/midi_order.h"
 #include "midi/midi_song.h"
@@ -88,6 +89,20 @@ bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]) {
   if (strokes > 0) return true;
   (void)snprintf(error, MIDI_FILE_TEXT, "no note in it plays a drum of the kit");
   return false;
+}
+
+bool kit_song_unplayed(const KitMidi *midi, char line[KIT_SONG_LINE]) {
+  static const char *const begin = "notes that play no drum of the kit: ";
+  size_t length = strlen(strcpy(line, begin));
+  for (int i = 0; i < MIDI_VALUES && length < KIT_SONG_LINE - 80; i++) {
+    const char *const known = kit_midi_note_name(midi->general[i]);
+    if (midi->unknown[i] == 0) continue;
+    const int written = snprintf(line + length, KIT_SONG_LINE - length, "%s%d%s%s (%llu)",
+                                 length > strlen(begin) ? ", " : "", i, known ? " " : "",
+                                 known ? known : "", (unsigned long long)midi->unknown[i]);
+    length += written > 0 ? (size_t)written : 0;
+  }
+  return length > strlen(begin);
 }
 
 void kit_song_free(KitSong *song) {

@@ -11,6 +11,8 @@
 #include "strokes/humanize.h"
 #include "strokes/strokes.h"
 
+#define KIT_SONG_LINE 1024
+
 typedef struct KitSong {
   TaborKitEvent *events; /**< sorted by frame, which counts from the start */
   size_t count;
@@ -31,6 +33,8 @@ bool kit_song_add_strokes(KitSong *song, const TaborKitDef *kit, Humanizer human
 uint32_t kit_song_last_stroke(const KitSong *song);
 /** Refuses what has no stroke, or too many: false, and the reason in @p error. */
 bool kit_song_check(const KitMidi *midi, char error[MIDI_FILE_TEXT]);
+/** A line for a person about the notes that @p midi has heard and that play nothing. False if there are none. */
+bool kit_song_unplayed(const KitMidi *midi, char line[KIT_SONG_LINE]);
 void kit_song_free(KitSong *song);
 
 #endif

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "kit/kit_song_input.h"
 
-#include <stdio.h>
-
 #include "midi/midi_song.h"
 #include "strokes/stroke_options.h"
 
@@ -44,15 +42,6 @@ Outcome kit_song_read(const Arguments *arguments, const TaborKitDef *kit, KitMid
 }
 
 void kit_song_note(const char *name, const KitMidi *midi) {
-  char text[1024] = "";
-  size_t length = 0;
-  for (int i = 0; i < MIDI_VALUES && length < sizeof text - 80; i++) {
-    const char *const known = kit_midi_note_name(midi->general[i]);
-    if (midi->unknown[i] == 0) continue;
-    const int written =
-      snprintf(text + length, sizeof text - length, "%s%d%s%s (%llu)", length > 0 ? ", " : "", i,
-               known ? " " : "", known ? known : "", (unsigned long long)midi->unknown[i]);
-    length += written > 0 ? (size_t)written : 0;
-  }
-  if (length > 0) note("%s: notes that play no drum of the kit: %s", input_name(name), text);
+  char line[KIT_SONG_LINE];
+  if (kit_song_unplayed(midi, line)) note("%s: %s", input_name(name), line);
 }

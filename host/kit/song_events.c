@@ -11,6 +11,7 @@ struct SongEvents {
   MidiFile file;
   MidiFileReport report;
   KitSong song;
+  char unplayed[KIT_SONG_LINE]; /* "" if the kit plays all notes */
 };
 
 size_t song_events_most_bytes(void) { return MIDI_FILE_LIMIT; }
@@ -34,16 +35,19 @@ SongEvents *song_events_read(const void *bytes, size_t size) {
 
 const char *song_events_error(const SongEvents *song) { return song->report.error; }
 
-uint32_t song_events_warning_count(const SongEvents *song) { return song->report.lines; }
+uint32_t song_events_warning_count(const SongEvents *song) {
+  return song->report.lines + (*song->unplayed ? 1 : 0);
+}
 
 const char *song_events_warning(const SongEvents *song, uint32_t index) {
-  return song->report.warning[index];
+  return index < song->report.lines ? song->report.warning[index] : song->unplayed;
 }
 
 /* True for a file that can be composed; what was composed before is gone. */
 static bool begin(SongEvents *song) {
   char *const error = song->report.error;
   kit_song_free(&song->song);
+  *song->unplayed = '\0';
   return !*error && midi_song_check_time(&song->file, error);
 }
 
@@ -103,6 +107,7 @@ bool song_events_of_kit(SongEvents *song, const TaborKitDef *kit, int map, uint3
   kit_midi_begin(midi, kit, &setup);
   const bool complete = kit_song_compose(&song->song, &song->file, midi, humanizer(0, 0), rate) &&
                         kit_song_check(midi, song->report.error);
+  if (!kit_song_unplayed(midi, song->unplayed)) *song->unplayed = '\0';
   free(midi);
   return complete;
 }

@@ -22,7 +22,7 @@ TABOR_API size_t song_events_most_bytes(void);
 TABOR_API SongEvents *song_events_read(const void *bytes, size_t size);
 /** Why the file or its song is refused; "" if it is not. */
 TABOR_API const char *song_events_error(const SongEvents *song);
-/** Number of lines that tell of what was passed over. */
+/** Number of lines that tell of what was passed over: by the reader, and of the notes that a kit does not play once it is composed. */
 TABOR_API uint32_t song_events_warning_count(const SongEvents *song);
 /** One of these lines. */
 TABOR_API const char *song_events_warning(const SongEvents *song, uint32_t index);

@@ -6,6 +6,9 @@ import pytest
 
 import tabor
 
+# Songs of General MIDI have cymbals; a test below asks for the warning of them.
+pytestmark = pytest.mark.filterwarnings("ignore:.*notes that play no drum:tabor.MidiWarning")
+
 
 def number(value):
     """Seven bits a byte, the top bit set in all but the last."""
@@ -232,6 +235,12 @@ def test_controllers_of_places(standard, program_sound, tmp_path):
         standard.midi_events(path, notes_of="Roland")
     with pytest.raises(ValueError, match="place_cc"):
         standard.midi_events(path, notes_of="roland", place_cc=(120, 18))
+
+
+def test_notes_that_play_nothing_are_said(tmp_path):
+    path = song(tmp_path / "song.mid", [note(0, 38, 90), note(0, 42, 90), note(10, 42, 90), note(10, 27, 90)])
+    with pytest.warns(tabor.MidiWarning, match=r"song\.mid: notes that play no drum of the kit: 27 \(1\), 42 closed hi-hat \(2\)$"):
+        assert len(tabor.Kit("standard", quality="draft").midi_events(path)) == 1
 
 
 def test_a_kit_from_a_file(program, program_sound, tmp_path):

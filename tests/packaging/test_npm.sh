@@ -41,7 +41,7 @@ while read -r name options; do
   "$INSPECT" equal "takes/$name.wav" native.wav || complain "$name: $options has other bits"
   count=$((count + 1))
 done < <(grep '^take' log)
-[ $count -eq $((6 + 2 * ${SONGS-4})) ] || complain "$count sounds"
+[ $count -eq $((7 + 2 * ${SONGS-4})) ] || complain "$count sounds"
 
 # In a browser as it is.
 export CHROMIUM=${CHROMIUM-$(command -v chromium || true)}

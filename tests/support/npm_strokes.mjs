@@ -128,6 +128,16 @@ for (let i = 0; i < songs; i++) {
   await keepSong("snare-14x5.5", render, "snare-14x5.5 --stereo");
 }
 
+// Notes that play nothing are said.
+const lines = [];
+await renderKit("standard", midiFile([[0x99, 38, 90], [0x99, 27, 90], [0x99, 27, 90]].map((message) => ({ tick: 0, message }))),
+  { quality: "draft", duration: 0.01, warn: (line) => lines.push(line) });
+if (String(lines) !== "notes that play no drum of the kit: 27 (2)") complain(`warnings: ${lines}`);
+
+// The quality of the definition, where the option is not given.
+await keep(await render("tom-12", [{}], { set: { "quality.level": "draft" }, duration: 0.1 }),
+  "tom-12 --stereo --set quality.level=draft --duration 0.1");
+
 // Strokes and values of the mix, in blocks of all lengths; parts of drums behind it.
 const kit = await Kit.create("jazz", { quality: "draft", outputs: ["snare"], set: { "drum.snare.batter.pitch": "A3" } });
 if (String(kit.channels) !== "left,right,snare left,snare right") complain(`channels: ${kit.channels}`);
@@ -203,6 +213,10 @@ async function refused(what, text, facts = {}) {
 
 await refused(() => Kit.create("standart"), /standart.*standard/);
 await refused(() => Kit.create("standard", { set: { "kit.overhead": 1 } }), /kit\.overhead/);
+await refused(() => Kit.create("standard", { set: { "drum.snar.batter.pitch": "A3" } }), /no drum 'snar'; 'drum\.snar\.preset' adds it/);
+await refused(() => kit.midi([0x40, 38, 90]), /status of a message = 64: allowed: whole numbers 128 to 255/);
+await refused(() => kit.midi([0x99, 38, 128]), /a byte of a message = 128: allowed: whole numbers 0 to 127/);
+await refused(() => kit.change("toString", 1), /toString/);
 await refused(() => Kit.create("standard", { outputs: ["cymbal"] }), /outputs = 'cymbal': allowed: .*snare/);
 await refused(() => kit.strike({ drum: "cymbal" }), /drum = 'cymbal': allowed: .*snare/);
 await refused(() => kit.strike(), /drum = 'undefined'/);
@@ -249,6 +263,8 @@ async function mistyped(what, text) {
   }
 }
 
+await mistyped(() => drum.strike("x"), /a stroke: x is no object/);
+await mistyped(() => render("tom-12", "x"), /events are an array of strokes, or the bytes of a MIDI file/);
 await mistyped(() => drum.strike({ velocity: 3n }), /velocity = 3: its type is bigint, not number/);
 await mistyped(() => drum.strike({ velocity: "3" }), /velocity = 3: its type is string/);
 await mistyped(() => drum.strike({ radius: { valueOf: () => 0 } }), /radius = .*: its type is object/);

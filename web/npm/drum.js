@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A drum in its room. index.d.ts describes it.
-import { Instrument } from "./instrument.js";
+import { Instrument, needObject } from "./instrument.js";
 
 const ALONE = 0; // number of the only drum
 
@@ -28,6 +28,7 @@ export class Drum extends Instrument {
   }
 
   strike(stroke = {}) {
+    needObject("a stroke", stroke);
     this.strikeDrum(ALONE, (key) => this.get(`strike.${key}`), stroke);
   }
 

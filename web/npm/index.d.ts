@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+/// <reference lib="dom" />
 /** Units are SI: seconds, metres, metres per second; angles are in degrees, counter-clockwise seen from above. */
 
 /** A drum or a kit that comes with the package. */
@@ -15,7 +16,7 @@ export type Quality = "draft" | "live" | "studio" | "reference";
 export type Technique = "normal" | "rimshot" | "cross-stick" | "rim";
 
 export interface Options {
-  /** "live" unless given */
+  /** "live" unless given here or, for a drum, as "quality.level" in `set` */
   quality?: Quality;
   /** 22,050 to 192,000 Hz, 48,000 unless given */
   sampleRate?: number;
@@ -195,21 +196,28 @@ export class Kit implements Instrument {
   change(key: string, value: number | "off", frame?: number): void;
 }
 
+/** What `render()` and `renderKit()` add to the options of an instrument. */
+export interface RenderOptions {
+  /** [s]; without it the sound ends when it has died away */
+  duration?: number;
+  /** Hears lines that say what of a MIDI file was passed over, as notes that play no drum; `console.warn` unless given. */
+  warn?: (line: string) => unknown;
+}
+
 /**
- * Strokes on a fresh drum, or the bytes of a MIDI file; the drum's own stroke unless given. Without a duration [s] the sound ends
- * when it has died away. An array for each channel.
+ * Strokes on a fresh drum, or the bytes of a MIDI file; the drum's own stroke unless given. An array for each channel.
  */
 export function render(
   preset: string,
   events?: readonly (Stroke & { time?: number })[] | ArrayBuffer | ArrayBufferView,
-  options?: DrumOptions & { duration?: number },
+  options?: DrumOptions & RenderOptions,
 ): Promise<Float32Array[]>;
 
 /** The same on a kit. */
 export function renderKit(
   kit: string,
   events: readonly (KitStroke & { time?: number })[] | ArrayBuffer | ArrayBufferView,
-  options?: KitOptions & { duration?: number },
+  options?: KitOptions & RenderOptions,
 ): Promise<Float32Array[]>;
 
 /**

@@ -87,8 +87,13 @@ function join(parts, channels, frames) {
 }
 
 /** Gives the instrument strokes, or the events of a MIDI file; returns the last frame that has one. */
-function give(instrument, events) {
-  if (bytesOf(events)) return instrument.midiFile(events).last;
+function give(instrument, events, warn) {
+  if (bytesOf(events)) {
+    const { last, warnings } = instrument.midiFile(events);
+    warnings.forEach((line) => warn(line));
+    return last;
+  }
+  if (!Array.isArray(events)) throw new TypeError("events are an array of strokes, or the bytes of a MIDI file");
   let last = 0;
   for (const { time = 0, ...stroke } of events) {
     const frame = frameOf("time", time, 0, instrument.sampleRate);
@@ -98,18 +103,18 @@ function give(instrument, events) {
   return last;
 }
 
-function play(instrument, events, duration) {
-  const last = give(instrument, events);
+function play(instrument, events, duration, warn = console.warn) {
+  const last = give(instrument, events, warn);
   if (duration !== undefined) return instrument.process(frameOf("duration", duration, 0.01, instrument.sampleRate));
   return join(ringOut(instrument, last), instrument.channelCount, instrument.frame);
 }
 
-export async function render(preset, events = [{}], { duration, ...options } = {}) {
-  return play(await Drum.create(preset, options), events, duration);
+export async function render(preset, events = [{}], { duration, warn, ...options } = {}) {
+  return play(await Drum.create(preset, options), events, duration, warn);
 }
 
-export async function renderKit(kit, events, { duration, ...options } = {}) {
-  return play(await Kit.create(kit, options), events, duration);
+export async function renderKit(kit, events, { duration, warn, ...options } = {}) {
+  return play(await Kit.create(kit, options), events, duration, warn);
 }
 
 export const createNode = async (context, instrument) => connectNode(context, instrument, await loaded());

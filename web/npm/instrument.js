@@ -6,7 +6,8 @@ import { send } from "./events.js";
 
 const BLOCK = 128; // frames that the engine computes at once at most (web/glue.h)
 const OWN_STRIKER = -1; // of the definition
-const QUALITIES = ["draft", "live", "studio", "reference"]; // the engine counts from 1
+const OF_DEFINITION = 0; // a quality by the engine's numbers
+const QUALITIES = ["draft", "live", "studio", "reference"]; // from 1 on
 // By the engine's numbers; "buzz" and "sweep" need a hand that lifts the stick again.
 const TECHNIQUES = { normal: 0, rimshot: 2, "cross-stick": 3, rim: 4 };
 // What building a model may take by the engine's estimate: all presets do with less, at "reference" up to 15 s and 0.9 GB.
@@ -28,10 +29,16 @@ function needNumber(key, value) {
   if (typeof value !== "number") throw new TypeError(`${key} = ${String(value)}: its type is ${typeof value}, not number`);
 }
 
-function wholeFrom(key, value, minimum) {
+function wholeFrom(key, value, minimum, maximum = Infinity) {
   needNumber(key, value);
-  if (Number.isInteger(value) && value >= minimum) return;
-  throw new TaborError(`${key} = ${value}: allowed: whole numbers from ${minimum} on`, key, value, minimum, Infinity);
+  if (Number.isInteger(value) && value >= minimum && value <= maximum) return;
+  const bounds = maximum === Infinity ? `from ${minimum} on` : `${minimum} to ${maximum}`;
+  throw new TaborError(`${key} = ${value}: allowed: whole numbers ${bounds}`, key, value, minimum, maximum);
+}
+
+/** A stroke is an object: a text would be one without properties. */
+export function needObject(name, value) {
+  if (typeof value !== "object" || value === null) throw new TypeError(`${name}: ${String(value)} is no object`);
 }
 
 let start = null;
@@ -68,9 +75,10 @@ export class Instrument {
   #port = null; // of the audio node in which it plays
 
   /** `make` gets an engine, and sets what it plays. */
-  static async build(make, outputs, { quality = "live", sampleRate = 48000, set = {}, progress, mostSeconds = MOST_SECONDS,
+  static async build(make, outputs, { quality, sampleRate = 48000, set = {}, progress, mostSeconds = MOST_SECONDS,
     mostBytes = MOST_BYTES } = {}) {
-    const number = 1 + QUALITIES.indexOf(oneOf("quality", quality, QUALITIES));
+    const isSet = quality === undefined && Object.hasOwn(set, "quality.level");
+    const number = isSet ? OF_DEFINITION : 1 + QUALITIES.indexOf(oneOf("quality", quality ?? "live", QUALITIES));
     needNumber("sampleRate", sampleRate);
     inRange("mostSeconds", mostSeconds, 0, Infinity, "s");
     inRange("mostBytes", mostBytes, 0, MOST_MEMORY, "");
@@ -101,9 +109,14 @@ export class Instrument {
     if (message) throw new TaborError(message, key, value, bound(0), bound(1));
   }
 
+  /** A drum that is not there is a mistake, unless its preset is given. */
   #set(key, value) {
+    const count = this.call("instrument_drum_count");
     change(this.#engine, this.#address, [key, String(value)]);
     this.#check();
+    if (this.call("instrument_drum_count") === count || key.endsWith(".preset")) return;
+    const drum = key.split(".")[1];
+    throw new TaborError(`${key}: the kit has no drum '${drum}'; 'drum.${drum}.preset' adds it`, key, value);
   }
 
   #addOutput(name) {
@@ -218,7 +231,8 @@ export class Instrument {
   /** A message of MIDI, [status, first, second], as `tabor render --midi-file` plays it. */
   midi(message, frame = this.#frame) {
     const [status, first = 0, second = 0] = message;
-    for (const byte of [status, first, second]) wholeFrom("a byte of a message", byte, 0);
+    wholeFrom("the status of a message", status, 128, 255);
+    for (const byte of [first, second]) wholeFrom("a byte of a message", byte, 0, 127);
     this.#hearMidi();
     this.#add({ frame, name: "instrument_send_midi", before: [], after: [status, first, second] });
   }

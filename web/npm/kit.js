@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A kit, whose drums stand in one room and hear each other. index.d.ts describes it.
-import { Instrument, TaborError, inRange, oneOf } from "./instrument.js";
+import { Instrument, TaborError, inRange, needObject, oneOf } from "./instrument.js";
 
 // Values of the mix that move while it plays, by the engine's numbers, and their ranges [dB].
 const MIX = { "kit.overheads": [0, -120, 24], "kit.coupling": [1, -60, 24] };
@@ -39,13 +39,15 @@ export class Kit extends Instrument {
     return this.pitchOf(this.#number(drum), head);
   }
 
-  strike({ drum, ...stroke } = {}) {
+  strike(given = {}) {
+    needObject("a stroke", given);
+    const { drum, ...stroke } = given;
     const number = this.#number(drum);
     this.strikeDrum(number, (key) => this.get(`drum.${drum}.strike.${key}`), stroke);
   }
 
   change(key, value, frame) {
-    if (key in MIX) return this.#changeMix(key, value, frame);
+    if (Object.hasOwn(MIX, key)) return this.#changeMix(key, value, frame);
     const [part, drum, ...rest] = key.split(".");
     if (part !== "drum") {
       this.get(key); // there may be none

@@ -17,7 +17,7 @@ Path = Union[str, "os.PathLike[str]"]
 
 
 class MidiWarning(UserWarning):
-    """Something in a MIDI file is wrong and was passed over; it touches no note."""
+    """Something in a MIDI file was passed over: what is wrong in it, which touches no note, or notes that play no drum of a kit."""
 
 
 def midi_events(path: Path, model: Model, *, strict: bool = False) -> List[Event]:
@@ -78,17 +78,21 @@ def composed(path: Path, strict: bool, compose: Callable[..., bool], *arguments:
     song = ffi.gc(midi_lib.song_events_read(content, len(content)), midi_lib.song_events_free)
     if not song:
         raise MemoryError
-    lines = [text(midi_lib.song_events_warning(song, i)) for i in range(midi_lib.song_events_warning_count(song))]
+    lines = _warnings(song)
     _refuse(name, text(midi_lib.song_events_error(song)))
     _refuse(name, f"{lines[0]}; strict=True" if strict and lines else "")
-    for line in lines:
-        warnings.warn(f"{name}: {line}", MidiWarning, stacklevel=3)
     if not compose(song, *arguments):
         _refuse(name, text(midi_lib.song_events_error(song)))
         raise MemoryError
+    for line in _warnings(song):
+        warnings.warn(f"{name}: {line}", MidiWarning, stacklevel=3)
     made = ffi.new("TaborKitEvent[]", midi_lib.song_events_count(song))
     ffi.memmove(made, midi_lib.song_events_list(song), ffi.sizeof(made))
     return made
+
+
+def _warnings(song: Any) -> List[str]:
+    return [text(midi_lib.song_events_warning(song, i)) for i in range(midi_lib.song_events_warning_count(song))]
 
 
 def _refuse(name: str, reason: str) -> None:

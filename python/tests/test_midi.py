@@ -237,6 +237,14 @@ def test_controllers_of_places(standard, program_sound, tmp_path):
         standard.midi_events(path, notes_of="roland", place_cc=(120, 18))
 
 
+def test_a_kit_rings_out(program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", *KIT_SONGS["a groove"])
+    theirs = program_sound("--kit", "jazz", "--midi-file", str(path), "--quality", "draft", channels=2)
+    ours = tabor.Kit("jazz", quality="draft").render(path)
+    assert theirs.shape[1] > 24000  # half a second after the last event, at least
+    assert np.array_equal(ours, theirs)
+
+
 def test_notes_that_play_nothing_are_said(tmp_path):
     path = song(tmp_path / "song.mid", [note(0, 38, 90), note(0, 42, 90), note(10, 42, 90), note(10, 27, 90)])
     with pytest.warns(tabor.MidiWarning, match=r"song\.mid: notes that play no drum of the kit: 27 \(1\), 42 closed hi-hat \(2\)$"):

@@ -7,6 +7,7 @@ import os
 import threading
 import warnings
 import wave
+from bisect import bisect_left
 from itertools import count, takewhile
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
@@ -21,8 +22,10 @@ from .drum import Ledger, Statistics, _values
 from .events import TYPES, Event, place
 from .midi import Path, composed, event_of
 from .model import Model
+from .rendering import LATEST_EVENT, RING_OUT_BLOCK, RingOut
 
 _MOST_FRAMES = 2**31 - 1
+_QUIET = np.float32(1e-5)  # -100 dBFS: of the mix, which has room and samples
 #: An event and the name of the drum that it is for; None: all drums.
 KitEvent = Tuple[Optional[str], Event]
 
@@ -218,7 +221,11 @@ class Kit:
             counts.
         """
         frames = whole("process: frames", frames, 0, _MOST_FRAMES)
-        made = ffi.new("TaborKitEvent[]", self._prepare(events, frames))
+        return self._play(self._prepare(events, frames), frames)
+
+    def _play(self, events: Sequence[Dict[str, Any]], frames: int) -> NDArray[np.float32]:
+        """Plays on, with events for the library."""
+        made = ffi.new("TaborKitEvent[]", events)
         out = np.empty((2, frames), np.float32)
         outputs = ffi.new("TaborKitOutputs *")
         with self._lock:
@@ -268,7 +275,7 @@ class Kit:
         """The name of an address."""
         return self._drums[drum] if drum < len(self._drums) else f"note.{drum - lib.TABOR_KIT_NOTE}"
 
-    def render(self, events: Union[Path, Sequence[KitEvent]], duration: float, *,
+    def render(self, events: Union[Path, Sequence[KitEvent]], duration: Optional[float] = None, *,
                notes_of: Optional[str] = None) -> NDArray[np.float32]:
         """Plays from rest.
 
@@ -277,8 +284,9 @@ class Kit:
         events : str, path or sequence of (str or None, Event)
             Name of a MIDI file, as for `midi_events`; its events after the end are left out. Or what happens, as for
             `process`.
-        duration : float
-            Length [s].
+        duration : float, optional
+            [s]; until the sound has died away unless given, as `tabor render --kit` has it: until the mix is below -100 dBFS and
+            the energy of the drums 90 dB below its largest since the last event, 0.5 to 20 s after that event.
         notes_of : str, optional
             Of a MIDI file: as for `midi_events`.
 
@@ -292,13 +300,35 @@ class Kit:
         ValueError, KeyboardInterrupt
             As from `process`.
         """
-        frames = round(number("render: duration", duration, 0, 3600) * self.sample_rate)
+        most = LATEST_EVENT if duration is None else number("render: duration", duration, 0, LATEST_EVENT)
+        frames = round(most * self.sample_rate)
         if isinstance(events, (str, os.PathLike)):
             events = [(drum, event) for drum, event in self.midi_events(events, notes_of=notes_of)
                       if round(event.time * self.sample_rate) < frames]
-        self._prepare(events, frames)  # before anything changes
+        made = self._prepare(events, frames)  # before anything changes
         self.reset()
-        return self.process(frames, events)
+        return self._ring_out(made) if duration is None else self._play(made, frames)
+
+    def _ring_out(self, events: Sequence[Dict[str, Any]]) -> NDArray[np.float32]:
+        """Plays events for the library until the sound has died away."""
+        frames = [row["event"]["frame"] for row in events]
+        sound = RingOut(frames[-1] if frames else 0, self.sample_rate)
+        blocks: List[NDArray[np.float32]] = []
+        position, first, over = 0, 0, False
+        while not over:
+            count = min(RING_OUT_BLOCK, sound.most - position)
+            end = bisect_left(frames, position + count, first)
+            due = [{**row, "event": {**row["event"], "frame": row["event"]["frame"] - position}} for row in events[first:end]]
+            block = self._play(due, count)
+            blocks.append(block)
+            position, first = position + count, end
+            is_alone = bool(np.abs(block).max() < _QUIET) and lib.tabor_kit_sounds(self._c) == 0
+            over = sound.is_over(position, self._stored, self.is_silent, is_alone)
+        return np.concatenate(blocks, axis=1)
+
+    def _stored(self) -> float:
+        """The energy of all drums [J]."""
+        return sum((self.ledger(drum).stored for drum in self._drums), 0.0)
 
     def _prepare(self, events: Sequence[KitEvent], frames: int) -> List[Dict[str, Any]]:
         """The events for the library, in order."""

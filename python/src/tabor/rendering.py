@@ -22,11 +22,11 @@ from .room import Room, RoomFade
 Happening = Union[Sequence[Event], Path]
 
 # When a sound has died away, as the program has it (host/sound/ring_out.h).
-_RING_OUT_BLOCK = 256  # frames between two looks at the energy; the length of the sound depends on it
+RING_OUT_BLOCK = 256  # frames between two looks at the energy; the length of the sound depends on it
 _ENERGY_FALL = 1e-9  # 90 dB
 _LEAST_TIME = 0.5  # after the last event [s]
 _MOST_TIME = 20.0  # after the last event [s]
-_LATEST_EVENT = 3600.0  # [s]
+LATEST_EVENT = 3600.0  # [s]
 
 
 def heard_mics(model: Model, mics: Optional[Sequence[str]]) -> Tuple[str, ...]:
@@ -64,8 +64,28 @@ class Setting:
 
     def ring_out(self, events: Happening, stopped: Callable[[], bool] = lambda: False) -> NDArray[np.float32]:
         """Plays events on a fresh drum until it has died away; an array of shape (heard, frames)."""
-        playing = _Playing(self, self._place(events, math.ceil(_LATEST_EVENT * self.model.sample_rate) + 1))
+        playing = _Playing(self, self._place(events, math.ceil(LATEST_EVENT * self.model.sample_rate) + 1))
         return np.concatenate([block[:self.heard] for block in playing.ring_out(stopped)], axis=1)
+
+
+class RingOut:
+    """When a sound is over whose last event is at a frame: its stored energy is 90 dB below its largest since then."""
+
+    def __init__(self, last: int, rate: float) -> None:
+        self._last = last
+        self._least = last + math.ceil(_LEAST_TIME * rate)
+        self.most = last + math.ceil(_MOST_TIME * rate)
+        self._loudest = 0.0  # stored energy since the last event [J]
+
+    def is_over(self, position: int, stored: Callable[[], float], is_silent: bool, is_alone: bool) -> bool:
+        """Whether it is after these frames, from what drums store [J]; with `is_alone` nothing sounds but them."""
+        if position <= self._last:
+            return False
+        energy = stored()
+        self._loudest = max(self._loudest, energy)
+        if position < self._least:
+            return False
+        return position >= self.most or (is_alone and (is_silent or energy <= _ENERGY_FALL * self._loudest))
 
 
 class _Playing:
@@ -79,7 +99,6 @@ class _Playing:
         self._placed = placed
         self._next = 0  # of the events
         self._position = 0  # frames played
-        self._loudest = 0.0  # stored energy since the last event [J]
         self._loudest_room = 0.0
 
     def _due(self, frames: int) -> List[Placed]:
@@ -101,25 +120,18 @@ class _Playing:
 
     def ring_out(self, stopped: Callable[[], bool]) -> Iterator[NDArray[np.float32]]:
         """Plays on until the sound has died away."""
-        last = self._placed[-1][0] if self._placed else 0
-        most = last + math.ceil(_MOST_TIME * self._rate)
+        sound = RingOut(self._placed[-1][0] if self._placed else 0, self._rate)
         over = False
         while not over:
-            yield self.play(min(_RING_OUT_BLOCK, most - self._position))
-            over = self._is_over(last) or self._position >= most or stopped()
+            yield self.play(min(RING_OUT_BLOCK, sound.most - self._position))
+            over = stopped() or sound.is_over(self._position, lambda: self._drum.ledger().stored, self._drum.is_silent,
+                                              self._is_room_over())
 
-    def _is_over(self, last: int) -> bool:
-        """Whether drum and room are 90 dB below their loudest since the event at this frame, the last one."""
+    def _is_room_over(self) -> bool:
+        """Whether the room is 90 dB below its loudest."""
         room = self._room.energy if self._room else 0.0
         self._loudest_room = max(self._loudest_room, room)
-        if self._position <= last:
-            return False
-        stored = self._drum.ledger().stored
-        self._loudest = max(self._loudest, stored)
-        if self._position < last + math.ceil(_LEAST_TIME * self._rate):
-            return False
-        return room <= _ENERGY_FALL * self._loudest_room and (
-            self._drum.is_silent or stored <= _ENERGY_FALL * self._loudest)
+        return room <= _ENERGY_FALL * self._loudest_room
 
 
 def render(drum: Playable, events: Optional[Happening] = None, duration: Optional[float] = None, *,

@@ -110,6 +110,12 @@ def test_a_file_sounds_as_the_program_plays_it(name, program_sound, tmp_path):
     assert np.abs(sound).max() > 0.001
 
 
+def test_what_comes_after_the_end_is_left_out(program_sound, tmp_path):
+    path = song(tmp_path / "song.mid", NOTES)
+    theirs = program_sound("tabor", "--quality", "draft", "--midi-file", str(path), "--duration", "0.3")
+    np.testing.assert_array_equal(tabor.render("tabor", path, 0.3, quality="draft"), theirs)
+
+
 def test_a_snare_drum_at_another_rate(program_sound, tmp_path):
     path = song(tmp_path / "song.mid", NOTES, *SONGS["hands"], *SONGS["gain"])
     drum = tabor.Definition("snare-14x5.5", {"strike.radius": 0.05, "wires.strainer": 0.5})

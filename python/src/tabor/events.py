@@ -389,13 +389,18 @@ TYPES: Dict[str, int] = {
 Placed = Tuple[int, Event]
 
 
+def frame_of(event: Event, rate: float) -> int:
+    """Where it acts."""
+    return math.floor(event.time * rate + 0.5)
+
+
 def place(events: Sequence[Event], rate: float, frames: int) -> List[Placed]:
     """The events with their frames, in order; ValueError for one that is not among so many frames."""
     placed = []
     for event in events:
         if not isinstance(event, Event):
             raise TypeError(f"events: an Event is needed, as tabor.strike() makes one, not {event!r}")
-        frame = math.floor(event.time * rate + 0.5)
+        frame = frame_of(event, rate)
         if frame >= max(frames, 1):
             raise ValueError(f"{event.kind}: {event.time:g} s is outside of {frames / rate:g} s")
         placed.append((frame, event))

@@ -19,7 +19,7 @@ from ._numbers import number, whole
 from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
 from .drum import Ledger, Statistics, _values
-from .events import TYPES, Event, place
+from .events import TYPES, Event, frame_of, place
 from .midi import Path, composed, event_of
 from .model import Model
 from .rendering import LATEST_EVENT, RING_OUT_BLOCK, RingOut
@@ -304,7 +304,7 @@ class Kit:
         frames = round(most * self.sample_rate)
         if isinstance(events, (str, os.PathLike)):
             events = [(drum, event) for drum, event in self.midi_events(events, notes_of=notes_of)
-                      if round(event.time * self.sample_rate) < frames]
+                      if frame_of(event, self.sample_rate) < frames]
         made = self._prepare(events, frames)  # before anything changes
         self.reset()
         return self._ring_out(made) if duration is None else self._play(made, frames)

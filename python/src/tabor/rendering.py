@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ._numbers import number
 from ._pieces import PIECE
 from .drum import Drum, chosen
-from .events import Event, Placed, place, strike
+from .events import Event, Placed, frame_of, place, strike
 from .midi import Path, midi_events
 from .model import Model, Playable, model_of
 from .room import Room, RoomFade
@@ -49,8 +49,10 @@ class Setting:
         return tuple(dict.fromkeys(Room(self._definition, self.model.sample_rate).feeds))
 
     def _place(self, events: Happening, frames: int) -> List[Placed]:
-        listed = midi_events(events, self.model) if isinstance(events, (str, os.PathLike)) else events
-        return place(listed, self.model.sample_rate, frames)
+        rate = self.model.sample_rate
+        if isinstance(events, (str, os.PathLike)):
+            events = [event for event in midi_events(events, self.model) if frame_of(event, rate) < frames]
+        return place(events, rate, frames)
 
     def play(self, events: Happening, out: NDArray[np.float32],
              stopped: Callable[[], bool] = lambda: False) -> None:
@@ -144,7 +146,8 @@ def render(drum: Playable, events: Optional[Happening] = None, duration: Optiona
     drum : Model, Definition or str
         What is played; a definition or a preset's name is computed first.
     events : sequence of Event, str or path, optional
-        What happens, in any order, or the name of a MIDI file (see `midi_events`); one stroke at once unless given.
+        What happens, in any order, or the name of a MIDI file (see `midi_events`), whose events after the end are left out; one
+        stroke at once unless given.
     duration : float, optional
         [s]; until the sound has died away unless given, as `tabor render` has it: until the energies of drum and room
         are 90 dB below their largest since the last event, 0.5 to 20 s after that event.

@@ -436,10 +436,12 @@ void take_from(const char *command_name, const char *options, const char *const 
   if (!strstr(options, "--split")) take_read(path, take);
 }
 
-static double take_peak(const Take *take) {
+double take_peak(const Take *take) {
   double peak = 0;
-  for (uint32_t at = 0; at < take->frames; at++) {
-    peak = fmax(peak, fabs((double)take->sound[0][at]));
+  for (uint32_t i = 0; i < take->channels; i++) {
+    for (uint32_t at = 0; at < take->frames; at++) {
+      peak = fmax(peak, fabs((double)take->sound[i][at]));
+    }
   }
   return peak;
 }

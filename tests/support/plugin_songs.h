@@ -82,6 +82,8 @@ void take_close(Take *take);
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take);
 /** Reads a sound file of as many channels and frames. */
 void take_read(const char *path, Take *take);
+/** Largest absolute sample, over all channels. */
+double take_peak(const Take *take);
 /** Compares all samples; @p block is for the message. A silent take fails, too. */
 void take_compare(const Take *expected, const Take *take, uint32_t block);
 

@@ -203,12 +203,13 @@ static void random_kits_are_those_of_render(void **state) {
   take_open(&take, PLUGIN_CHANNELS);
   song_path(path, sizeof path, "kit.ini");
   (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
-  (void)snprintf(softer, sizeof softer, "%s --gain -12", options); /* `play` clips */
   for (uint64_t seed = 1; seed <= random_songs; seed++) {
     print_message("seed %u\n", (unsigned)seed);
     kit_write_random(seed);
     song_write_random(seed);
     take_from(rendered, options, NULL, &expected);
+    const int gain = take_peak(&expected) < 0.9 ? 0 : -12; /* `play` clips */
+    (void)snprintf(softer, sizeof softer, "%s --gain %d", options, gain);
     take_from(rendered, softer, NULL, &soft);
     take_from(performed, softer, NULL, &played);
     take_compare(&soft, &played, 0);

@@ -107,7 +107,7 @@ bool song_events_of_kit(SongEvents *song, const TaborKitDef *kit, int map, uint3
   kit_midi_begin(midi, kit, &setup);
   const bool complete = kit_song_compose(&song->song, &song->file, midi, humanizer(0, 0), rate) &&
                         kit_song_check(midi, song->report.error);
-  if (!kit_song_unplayed(midi, song->unplayed)) *song->unplayed = '\0';
+  if (!complete || !kit_song_unplayed(midi, song->unplayed)) *song->unplayed = '\0';
   free(midi);
   return complete;
 }

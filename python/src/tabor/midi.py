@@ -81,10 +81,12 @@ def composed(path: Path, strict: bool, compose: Callable[..., bool], *arguments:
     lines = _warnings(song)
     _refuse(name, text(midi_lib.song_events_error(song)))
     _refuse(name, f"{lines[0]}; strict=True" if strict and lines else "")
+    for line in lines:
+        warnings.warn(f"{name}: {line}", MidiWarning, stacklevel=3)
     if not compose(song, *arguments):
         _refuse(name, text(midi_lib.song_events_error(song)))
         raise MemoryError
-    for line in _warnings(song):
+    for line in _warnings(song)[len(lines):]:  # of notes that a kit does not play
         warnings.warn(f"{name}: {line}", MidiWarning, stacklevel=3)
     made = ffi.new("TaborKitEvent[]", midi_lib.song_events_count(song))
     ffi.memmove(made, midi_lib.song_events_list(song), ffi.sizeof(made))

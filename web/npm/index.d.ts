@@ -131,23 +131,11 @@ export interface Instrument {
 }
 
 /** A drum that sounds, in its room. It has 10 to 30 MB. */
-export class Drum implements Instrument {
+export class Drum {
   private constructor();
 
   /** Computes a drum. This takes the thread's time: in a page, do it in a worker. */
   static create(preset: string, options?: DrumOptions): Promise<Drum>;
-
-  readonly sampleRate: number;
-  readonly frame: number;
-  readonly keys: readonly string[];
-  readonly droppedEvents: number;
-  readonly isSilent: boolean;
-  get(key: string): string;
-  midi(message: readonly number[] | Uint8Array, frame?: number): void;
-  midiFile(file: ArrayBuffer | ArrayBufferView, frame?: number): { last: number; warnings: string[] };
-  reset(): void;
-  process(frames: number): Float32Array[];
-  ledger(): Ledger;
 
   /** the microphone of each channel */
   readonly mics: readonly string[];
@@ -162,25 +150,14 @@ export class Drum implements Instrument {
   /** Energy of what the room holds, of no unit. */
   readonly roomEnergy: number;
 }
+export interface Drum extends Instrument {}
 
 /** A kit: drums that stand in one room and hear each other. It has 20 to 80 MB. */
-export class Kit implements Instrument {
+export class Kit {
   private constructor();
 
   /** Computes a kit. This takes the thread's time, some seconds: in a page, do it in a worker. */
   static create(kit: string, options?: KitOptions): Promise<Kit>;
-
-  readonly sampleRate: number;
-  readonly frame: number;
-  readonly keys: readonly string[];
-  readonly droppedEvents: number;
-  readonly isSilent: boolean;
-  get(key: string): string;
-  midi(message: readonly number[] | Uint8Array, frame?: number): void;
-  midiFile(file: ArrayBuffer | ArrayBufferView, frame?: number): { last: number; warnings: string[] };
-  reset(): void;
-  process(frames: number): Float32Array[];
-  ledger(): Ledger;
 
   /** names, in the kit's order */
   readonly drums: readonly string[];
@@ -195,6 +172,7 @@ export class Kit implements Instrument {
   /** Moves what may change while the kit rings: "kit.overheads" and "kit.coupling" [dB], or "drum.snare.wires.strainer". */
   change(key: string, value: number | "off", frame?: number): void;
 }
+export interface Kit extends Instrument {}
 
 /** What `render()` and `renderKit()` add to the options of an instrument. */
 export interface RenderOptions {

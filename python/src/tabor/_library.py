@@ -152,7 +152,7 @@ def written_ini(function: Callable[..., int], thing: Any) -> str:
 
 
 def saved_state(thing: Any, size: Callable[..., int], save: Callable[..., None]) -> bytes:
-    """The bytes that a function of the library writes of a drum's or a room's state."""
+    """The bytes that a function of the library writes of a drum's, a kit's or a room's state."""
     state = ffi.new("char[]", size(thing))
     save(thing, state)
     return bytes(ffi.buffer(state))

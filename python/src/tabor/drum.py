@@ -76,6 +76,16 @@ class Probe(NamedTuple):
     wire_force: float  #: between all wires and the head [N]
 
 
+def ledger_of(drum: Any) -> Ledger:
+    """That of a TaborDrum, which may be one of a kit."""
+    return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, drum))
+
+
+def statistics_of(drum: Any) -> Statistics:
+    """Those of a TaborDrum, which may be one of a kit."""
+    return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, drum))
+
+
 def routed(mics: Sequence[str], wanted: Sequence[str]) -> bytes:
     """The microphone of each output, as the library wants it; none where the drum has none of this name."""
     return bytes(mics.index(name) if name in mics else _NO_MIC for name in wanted)
@@ -147,7 +157,7 @@ class Drum:
 
     def __repr__(self) -> str:
         with self._lock:
-            model, played = self._model, self._statistics().frames / self._model.sample_rate
+            model, played = self._model, statistics_of(self._c).frames / self._model.sample_rate
             state = "silent" if lib.tabor_drum_is_silent(self._c) else "sounding"
         name = model.definition["drum.name"]
         return (f"<tabor.Drum {name!r}, {model.sample_rate:g} Hz, {model.info.quality}, "
@@ -248,7 +258,7 @@ class Drum:
     def _trace(self, prepared: _Prepared, rows: NDArray[np.void]) -> None:
         """Plays sample by sample, and fills a row after each."""
         probe, ledger = ffi.new("TaborProbe *"), ffi.new("TaborLedger *")
-        start = self._statistics().frames + 1
+        start = statistics_of(self._c).frames + 1
         for piece in pieces(len(rows), list(prepared.events), 1):
             self._advance(prepared, piece, ffi.NULL)
             lib.tabor_drum_probe(self._c, probe)
@@ -304,7 +314,7 @@ class Drum:
             Energies [J].
         """
         with self._lock:
-            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._c))
+            return ledger_of(self._c)
 
     def statistics(self) -> Statistics:
         """What was counted since creation or reset.
@@ -315,10 +325,7 @@ class Drum:
             Counters.
         """
         with self._lock:
-            return self._statistics()
-
-    def _statistics(self) -> Statistics:
-        return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics, self._c))
+            return statistics_of(self._c)
 
     def probe(self) -> Probe:
         """Where things are now.

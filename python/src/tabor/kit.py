@@ -14,11 +14,11 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 from numpy.typing import NDArray
 
-from ._library import Error, UnknownNameError, check, encoded, ffi, fields, index_of, lib, midi_lib, read_ini, text
+from ._library import Error, UnknownNameError, check, encoded, ffi, index_of, lib, midi_lib, read_ini, saved_state, text
 from ._numbers import number, whole
 from ._pieces import KIT_PIECE, pieces
 from .definition import Definition, Preset, Value
-from .drum import Ledger, Statistics, _values
+from .drum import Ledger, Statistics, _values, ledger_of, statistics_of
 from .events import TYPES, Event, frame_of, place
 from .midi import Path, composed, event_of
 from .model import Model
@@ -358,10 +358,7 @@ class Kit:
     def _addressed(self, name: Optional[str]) -> Sequence[int]:
         if name is None:
             return range(len(self._drums))
-        if name not in self._drums:
-            raise UnknownNameError(f"no drum is called {name!r}; there are {', '.join(self._drums)}", "name", "drum",
-                                   str(name))
-        return (self._drums.index(name),)
+        return (index_of(self._drums, name, "drum"),)
 
     def _drum(self, name: str) -> Any:
         return lib.tabor_kit_drum(self._c, self._addressed(name)[0])
@@ -380,7 +377,7 @@ class Kit:
             Energies [J]; the work of others' sound counts as injected.
         """
         with self._lock:
-            return Ledger(**fields("TaborLedger", Ledger._fields, lib.tabor_drum_ledger, self._drum(drum)))
+            return ledger_of(self._drum(drum))
 
     def statistics(self, drum: str) -> Statistics:
         """What was counted of a drum since creation or reset.
@@ -396,8 +393,7 @@ class Kit:
             Counters.
         """
         with self._lock:
-            return Statistics(**fields("TaborStatistics", Statistics._fields, lib.tabor_drum_statistics,
-                                       self._drum(drum)))
+            return statistics_of(self._drum(drum))
 
     @property
     def is_silent(self) -> bool:
@@ -419,9 +415,7 @@ class Kit:
             For `load` of a kit like this one.
         """
         with self._lock:
-            state = ffi.new("char[]", lib.tabor_kit_state_size(self._c))
-            lib.tabor_kit_state_save(self._c, state)
-            return bytes(ffi.buffer(state))
+            return saved_state(self._c, lib.tabor_kit_state_size, lib.tabor_kit_state_save)
 
     def load(self, state: bytes) -> None:
         """Goes on from a saved state, with the same bits.

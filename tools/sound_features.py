@@ -25,6 +25,9 @@ BODY = (100.0, 600.0)
 FRAME = 0.005  # [s]: levels of decays are means over frames
 LATE = (0.15, 0.7)  # [s]: what is heard between these is late
 LATE_OCTAVES = (500, 1000, 2000, 4000)
+LINES = ((3500, 8000), (8000, 15000))  # [Hz]
+EARLY_LINES, LATE_LINES = (0.012, 0.1), (0.1, 0.3)  # [s]
+COMPONENTS = 4800.0  # [Hz]
 NOISE_FRAMES, ABOVE_NOISE, FEWEST_FRAMES = 40, 12.0, 25  # the last frames are noise; [dB]
 SHORTEST = 0.6  # [s]: a shorter sound is followed by silence
 SPECTRUM_SIZE = 1 << 16
@@ -197,6 +200,49 @@ def treble_flatness(sound):
     frequency, power = signal.welch(sound[int(0.02 * RATE):int(0.2 * RATE)], RATE, nperseg=1024)
     power = np.maximum(power[(frequency >= TREBLE_TEXTURE[0]) & (frequency <= TREBLE_TEXTURE[1])], 1e-30)
     return decibel(np.exp(np.log(power).mean()) / power.mean())
+
+
+# ---- lines ---------------------------------------------------------------------------------------
+
+
+def hann_spectrum(sound, start, end):
+    """Frequencies, and the power spectrum of a piece of the sound [s] under a Hann window."""
+    piece = sound[int(start * RATE):int(end * RATE)]
+    size = 1 << (piece.size - 1).bit_length()
+    window = signal.windows.hann(piece.size)
+    return np.fft.rfftfreq(size, 1.0 / RATE), np.abs(np.fft.rfft(piece * window, size)) ** 2
+
+
+def line_excess(frequency, power, low, high, flat):
+    """97th percentile over median of the spectrum in a band [dB]; flat: of what lies over the median of the third octave
+    around it, so that a band that falls off does not count as lines. Noise has 7, a comb of tones 15 to 40."""
+    inside = (frequency >= low) & (frequency < high)
+    level = power[inside]
+    if flat:
+        edge = 2.0 ** (1.0 / 6.0)
+        first, last = np.searchsorted(frequency, (frequency[inside] / edge, frequency[inside] * edge))
+        level = level / [np.median(power[a:b]) for a, b in zip(first, last)]
+    return decibel(np.percentile(level, 97) / np.median(level))
+
+
+def component_count(sound):
+    """How many lines of equal power make up the critical band around COMPONENTS (Glasberg, Moore 1990): (sum P)^2/sum P^2
+    of its spectrum. Noise has half the number of the window's own lines in it, here 54."""
+    frequency = np.fft.rfftfreq(int(LATE_LINES[1] * RATE) - int(LATE_LINES[0] * RATE), 1.0 / RATE)
+    piece = sound[int(LATE_LINES[0] * RATE):int(LATE_LINES[1] * RATE)]
+    power = np.abs(np.fft.rfft(piece * signal.windows.hann(piece.size))) ** 2
+    width = 24.7 * (4.37e-3 * COMPONENTS + 1.0)
+    power = power[np.abs(frequency - COMPONENTS) < 0.5 * width]
+    return power.sum() ** 2 / (power ** 2).sum()
+
+
+def lines(sound, rate):
+    """Lines in the treble, by name: line95_F plain and flat95_F of the bands of LINES, and the components at 4.8 kHz."""
+    sound = prepared(sound, rate)
+    frequency, power = hann_spectrum(sound, *EARLY_LINES)
+    found = {f"{name}_{low}": line_excess(frequency, power, low, high, name == "flat95")
+             for name in ("line95", "flat95") for low, high in LINES}
+    return {name: float(value) for name, value in (found | {"components_4800": component_count(sound)}).items()}
 
 
 def partial_decay_time(sound, frequency):

@@ -24,6 +24,7 @@ static TaborDrumDef small_drum(uint32_t kind) {
   def.batter.surface_density = 0.26;
   def.batter.bending_stiffness = 0.002;
   def.batter.stretch_stiffness = 0.0;
+  def.batter.unevenness = 0.0;
   def.batter.damping_0 = 10.0;
   def.batter.damping_1 = 3e-4;
   if (kind >= TWO_HEADS) {

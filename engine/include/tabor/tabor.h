@@ -234,7 +234,11 @@ typedef struct TaborHeadDef {
    * beyond the centre is a disc. */
   double ring_width;
   double ring_strength; /**< the whole ring's c [N s/m], 0 (none) to 30, default 0 */
-  uint32_t lug_count;   /**< 3 to 16, default 10 */
+  /** Relative deviation of the mass per area from place to place, root mean square over patches of some 3 cm, 0 to
+   * 0.3, default 0.08. It scatters waves above the two-way bandwidth, so that the treble is noise instead of lines; 0:
+   * none. `lug_seed` draws it, too. */
+  double unevenness;
+  uint32_t lug_count; /**< 3 to 16, default 10 */
   /** Largest relative deviation of the tension at a lug, 0 to 0.5, default 0. The deviations are
    * drawn at random, with a mean of 0. */
   double lug_spread;

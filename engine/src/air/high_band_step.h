@@ -7,6 +7,12 @@
 #include "state/state.h"
 
 typedef struct TbHighBandStep {
+  /* Fills view->high.turn: every mode swings at its own frequency. */
+  void (*begin)(const TbView *view);
+  /* Draws the frequencies of eight modes anew, without a change of their phase and amplitude, so that over time all lose
+   * their phase at the rates of scattering.h. Wires in contact scatter as much as they take: 2 s more, s the decay
+   * rate by view->high.taken. */
+  void (*scatter)(const TbView *view);
   /* Fills view->high.taken: the part of each mode's motion that the wires take in a step, from the
    * resistance of all their points in each band of TbWireHold [N s/m]. */
   void (*hold)(const TbView *view, const double *resistance);

@@ -2,7 +2,10 @@
 /* The step of the high band (high_band_step.h), compiled once per precision: see real.h. */
 #include "air/high_band_step.h"
 
+#include <string.h>
+
 #include "kernels/real.h"
+#include "math/draw.h"
 
 /* [m kg^1/2]; denormals begin at 1e-308, in single precision at 1e-38. */
 static const Real VANISHED = REAL(SINGLE ? 1e-30 : 1e-150);
@@ -17,6 +20,11 @@ static const TYPE_OF(TbRinging) * ringing_of(const TbView *view) {
 
 static Real *drive_of(const TbView *view, uint32_t slot) {
   return (Real *)view->high.drive + (size_t)slot * view->model->high.padded;
+}
+
+static void begin(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  if (high->count) memcpy(view->high.turn, ringing_of(view)->a, high->padded * sizeof(Real));
 }
 
 /* Limited to what flows into the bed (wire_hold.h). */
@@ -35,10 +43,51 @@ static void hold(const TbView *view, const double *resistance) {
   }
 }
 
+/* True if wires take part of a block's motion. */
+static bool holds(const TbView *view, uint32_t from) {
+  const TbHighBand *high = &view->model->high;
+  const uint32_t head = view->model->wires.head;
+  return view->state->high.wires_hold && !view->state->wires.lifted && from >= high->begin[head] &&
+         from < high->begin[head + 1];
+}
+
+enum { BLOCK = 8 };
+
+/* Of a block of modes; from -1 to 1. */
+static void draw(const TbHighBand *high, uint64_t place, Real drawn[BLOCK]) {
+  const uint64_t bits[2] = {tb_draw_bits(high->seed, 2 * place),
+                            tb_draw_bits(high->seed, 2 * place + 1)};
+  for (uint32_t i = 0; i < BLOCK; i++) {
+    const int32_t part = (int32_t)(bits[i / 4] >> 16 * (i % 4) & 0xffff);
+    drawn[i] = (Real)(2 * part - 0xffff) * REAL(1.0 / 0xffff);
+  }
+}
+
+static void scatter(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  const uint64_t block = view->state->clock % high->scatter_steps;
+  if (BLOCK * block >= high->padded) return;
+  const uint32_t from = (uint32_t)(BLOCK * block);
+  const TYPE_OF(TbRinging) *ringing = ringing_of(view);
+  Real drawn[BLOCK] __attribute__((aligned(64)));
+  draw(high, view->state->clock, drawn);
+  const TYPE_OF(TbScattering)
+    scattering = {.a = ringing->a + from,
+                  .b = ringing->b + from,
+                  .walk = ringing->walk + from,
+                  .held = (const Real *)view->high.taken + from,
+                  .draw = drawn,
+                  .now = (const Real *)view->now.high + from,
+                  .wires = holds(view, from) ? (Real)high->scatter_by_wires : REAL(0.0),
+                  .last = (Real *)view->last.high + from,
+                  .turn = (Real *)view->high.turn + from};
+  kernels_of(view)->scatter(&scattering);
+}
+
 static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
   const TYPE_OF(TbRinging) *ringing = ringing_of(view);
   const TYPE_OF(TbRing) ring = {.parts = parts,
-                                .a = ringing->a,
+                                .a = view->high.turn,
                                 .b = ringing->b,
                                 .now = view->now.high,
                                 .last = view->last.high,
@@ -89,5 +138,5 @@ static void clear_small(const TbView *view) {
   }
 }
 
-const TbHighBandStep NAME_OF(tb_high_band_step) = {hold,       move,   strike,     sums,
-                                                   keep_drive, energy, clear_small};
+const TbHighBandStep NAME_OF(tb_high_band_step) = {begin, scatter,    hold,   move,       strike,
+                                                   sums,  keep_drive, energy, clear_small};

@@ -86,6 +86,7 @@ static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
     view->state->high.contacts.motion += contacts.motion;
   }
   renew_hold(view);
+  tb_high_band_step_of(view)->scatter(view);
   const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view));
   return strike_high(view) ? tb_high_band_step_of(view)->sums(view, mic, &view->next) : heard;
 }

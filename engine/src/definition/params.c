@@ -100,6 +100,10 @@
     {ROW((first) + TB_HEAD_RING_STRENGTH, section, "ring_strength", "N s/m",                       \
          "how hard the felt ring brakes the head, 0: none", NUMBER(0, 30, 0)),                     \
      place(ring_strength)},                                                                        \
+    {ROW((first) + TB_HEAD_UNEVENNESS, section, "unevenness", "",                                  \
+         "relative deviation of the head's mass from place to place, which scatters the treble",   \
+         NUMBER(0, 0.3, 0.08)),                                                                    \
+     place(unevenness)},                                                                           \
     {ROW((first) + TB_HEAD_LUG_COUNT, section, "lug_count", "", "number of lugs around the head",  \
          WHOLE(3, TABOR_MAX_LUGS, 10)),                                                            \
      place(lug_count)},                                                                            \

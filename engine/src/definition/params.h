@@ -31,6 +31,7 @@ typedef enum TbHeadParamId {
   TB_HEAD_RING_RADIUS,
   TB_HEAD_RING_WIDTH,
   TB_HEAD_RING_STRENGTH,
+  TB_HEAD_UNEVENNESS,
   TB_HEAD_LUG = 20 /**< of the first lug; the other lugs follow, to 35 */
 } TbHeadParamId;
 

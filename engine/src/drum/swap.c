@@ -283,6 +283,7 @@ static void carry_high(const TbView *from, TbView *to) {
   memcpy(to->now.high, from->now.high, bytes);
   memcpy(to->last.high, from->last.high, bytes);
   memcpy(to->high.taken, from->high.taken, bytes);
+  memcpy(to->high.turn, from->high.turn, bytes);
   to->state->high.wires_hold = from->state->high.wires_hold;
   to->state->high.hold_steps = from->state->high.hold_steps;
   to->state->high.contacts = from->state->high.contacts;

@@ -39,7 +39,7 @@ static int louder(const void *x, const void *y) {
   return a->zero < b->zero ? -1 : a->zero > b->zero;
 }
 
-static bool same_band(const TbHighMode *a, const TbHighMode *b) {
+bool tb_high_modes_same_band(const TbHighMode *a, const TbHighMode *b) {
   return a->band == b->band && a->head == b->head && a->of_air == b->of_air;
 }
 
@@ -47,7 +47,7 @@ static bool same_band(const TbHighMode *a, const TbHighMode *b) {
 static uint32_t enough(const Candidates *all, uint32_t from, double part, uint32_t *end) {
   double total = 0.0, sum = 0.0;
   uint32_t to = from, count = 0;
-  for (; to < all->count && same_band(&all->modes[to], &all->modes[from]); to++) {
+  for (; to < all->count && tb_high_modes_same_band(&all->modes[to], &all->modes[from]); to++) {
     total += all->modes[to].loudness;
   }
   while (from + count < to && sum < part * total) sum += all->modes[from + count++].loudness;

@@ -11,6 +11,9 @@
 uint32_t tb_sixth_of(double omega);
 double tb_sixth_from(uint32_t sixth);
 
+/* True if modes share sixth of an octave and head, and are both of the air or of the head. */
+bool tb_high_modes_same_band(const TbHighMode *a, const TbHighMode *b);
+
 /* The energy that a unit force on the mode's head brings to microphone `mic`. */
 double tb_high_mode_energy(const TbHighDrum *drum, const TbHighMode *mode, uint32_t mic);
 

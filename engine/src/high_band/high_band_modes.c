@@ -9,6 +9,7 @@
 #include "acoustics/single_head.h"
 #include "definition/definition.h"
 #include "high_band/high_air_choice.h"
+#include "high_band/scattering.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 
@@ -531,5 +532,6 @@ bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TbHighDru
   }
   if (!collect(&b, heads)) return false;
   *chosen = tb_high_modes_thin(drum, b.candidates, b.count, most);
+  tb_scattering_prepare(drum, chosen);
   return true;
 }

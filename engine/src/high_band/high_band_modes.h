@@ -14,8 +14,9 @@ typedef struct TbHighMode {
   uint32_t band;  /* sixth of an octave */
   double zero, slope, scale, omega;
   double decay_rate,
-    radiation_rate; /* [1/s]; of both sides or the outer one, in decay_rate or yet to be added */
-  double loudness;  /* the largest over microphones */
+    radiation_rate;  /* [1/s]; of both sides or the outer one, in decay_rate or yet to be added */
+  double scattering; /* variance of the phase that it gains per time [rad2/s]: see scattering.h */
+  double loudness;   /* the largest over microphones */
   double fields[2 * TABOR_MAX_MICS];
 } TbHighMode;
 

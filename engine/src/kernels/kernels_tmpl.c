@@ -28,6 +28,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .gather = gather,
   .mix = mix,
   .ring = ring,
+  .scatter = scatter,
   .contract = contract,
   .expand = expand,
   .comply = comply,

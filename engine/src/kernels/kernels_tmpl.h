@@ -26,6 +26,14 @@ typedef struct TB_TYPE(TbRing) {
   TB_REAL *next;
 } TB_TYPE(TbRing);
 
+/* Scattering of eight modes of the high band (high_band_step.h): `draw` is from -1 to 1, and walk + wires held the
+ * square of the turn per step that its size is of. Arrays are [8]. */
+typedef struct TB_TYPE(TbScattering) {
+  const TB_REAL *a, *b, *walk, *held, *draw, *now;
+  TB_REAL wires;
+  TB_REAL *last, *turn;
+} TB_TYPE(TbScattering);
+
 /* The start of a contact solve: copies of p and f, s = b - p, the largest |b|, the largest y or 0,
  * and the largest |f|. */
 typedef struct TB_TYPE(TbStart) {
@@ -101,6 +109,9 @@ typedef struct TB_TYPE(TbKernels) {
   /* next = a now - b last + push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);
+  /* turn = 2 sqrt(b) cos(p + d), p the turn per step of a, d = draw sqrt(walk + wires held). `last` follows, so that the
+   * motion keeps amplitude and phase at `now`. Modes with walk = 0 stay. */
+  void (*scatter)(const TB_TYPE(TbScattering) * scattering);
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
 

@@ -42,6 +42,47 @@ static TbPair ring(const Ring *r) {
   return (TbPair){(double)join(sum[0]), (double)join(sum[1])};
 }
 
+/* cos and sin of a turn, 2 r cos = a; one that is none has a sine of 0. */
+typedef struct Turn {
+  Lanes c, s;
+} Turn;
+
+static INLINE Turn turn_of(Lanes a, Lanes r) {
+  const Lanes c = divide(scale(a, REAL(0.5)), r);
+  return (Turn){c, root(larger(subtract(all(REAL(1.0)), multiply_lanes(c, c)), zero()))};
+}
+
+/* Turned further by a small angle, at most 1/4 pi: its sine is 3e-4 of it too large at most. */
+static INLINE Turn turned(Turn turn, Lanes angle) {
+  const Lanes square = multiply_lanes(angle, angle), one = all(REAL(1.0));
+  const Lanes s = multiply_lanes(angle, subtract(one, scale(square, REAL(1.0 / 6.0))));
+  const Lanes c = root(subtract(one, multiply_lanes(s, s)));
+  return (Turn){subtract(multiply_lanes(turn.c, c), multiply_lanes(turn.s, s)),
+                add(multiply_lanes(turn.s, c), multiply_lanes(turn.c, s))};
+}
+
+/* A mode that turns by less hardly swings, or does not at all. */
+static const Real LEAST_SINE = REAL(1e-3);
+
+/* The instants n and n - 1 are A cos p and A cos(p - turn)/r. */
+static void scatter(const TYPE_OF(TbScattering) * scattering) {
+  const Lanes r = root(load(scattering->b)), walk = load(scattering->walk);
+  const Lanes now = load(scattering->now), last = load(scattering->last),
+              turn = load(scattering->turn);
+  const Lanes most = root(add(walk, scale(load(scattering->held), scattering->wires)));
+  const Turn before = turn_of(turn, r);
+  const Turn after =
+    turned(turn_of(load(scattering->a), r), multiply_lanes(most, load(scattering->draw)));
+  const Lanes sine =
+    divide(subtract(multiply_lanes(r, last), multiply_lanes(now, before.c)), before.s);
+  const Lanes moved = divide(add(multiply_lanes(now, after.c), multiply_lanes(sine, after.s)), r);
+  const Mask swings = greater(smaller(before.s, after.s), all(LEAST_SINE)),
+             walks = greater(walk, zero());
+  store(scattering->last, pick(walks, pick(swings, moved, last), last));
+  store(scattering->turn,
+        pick(walks, pick(swings, scale(multiply_lanes(r, after.c), REAL(2.0)), turn), turn));
+}
+
 /* Compilers of WebAssembly read all of a loop's body before they compute. Twelve registers of doubles
  * and eight of sums are more than a processor has, and the sums would live in memory. */
 #if defined(__wasm_simd128__) && !defined(TB_FLOAT)

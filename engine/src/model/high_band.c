@@ -39,8 +39,8 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
   band->order = tb_arena_take(arena, band->padded, sizeof *band->order);
   band->hold_band = tb_arena_take(arena, band->padded, sizeof *band->hold_band);
   band->of_air = tb_arena_take(arena, band->padded, sizeof *band->of_air);
-  double **arrays[] = {&band->zero,      &band->scale, &band->ringing.a,
-                       &band->ringing.b, &band->g,     &band->stiffness};
+  double **arrays[] = {&band->zero, &band->scale,     &band->ringing.a,   &band->ringing.b,
+                       &band->g,    &band->stiffness, &band->ringing.walk};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, band->padded);
   }
@@ -58,6 +58,25 @@ static void prepare_wire_hold(TbHighBand *band, const TaborModel *model, double 
                        2.0 * PI * model->head.bandwidth, 2.0 * PI * top);
 }
 
+/* Frequencies are drawn this often [Hz]: few modes lose more than a radian of phase in that time. */
+static const double SCATTER_RATE = 375.0;
+/* Parts of a turn per step by which scattering changes it at most, however uneven a head is. */
+static const double MOST_SCATTERED = 0.1;
+
+static void prepare_scattering(TbHighBand *band, const TaborModel *model) {
+  const double steps = floor(model->step_rate / SCATTER_RATE + 0.5);
+  const uint32_t blocks = band->padded / 8u;
+  band->seed = (uint64_t)model->def.resonant.lug_seed << 32 | model->def.batter.lug_seed;
+  band->scatter_steps = blocks > (uint32_t)steps ? blocks : (uint32_t)steps;
+  band->scatter_by_wires = 6.0f / (float)band->scatter_steps; /* 3 k D/n of D = 2 s, s k = taken */
+}
+
+/* A turn u d per step, u drawn from -1 to 1 every n steps, has the variance D n k after these: d^2 = 3 D k/n. */
+static double walk_of(const TbHighBand *band, const TbHighMode *c, double time_step) {
+  const double turn = c->omega * time_step, most = MOST_SCATTERED * fmin(turn, PI - turn);
+  return fmin(3.0 * c->scattering * time_step / band->scatter_steps, most * most);
+}
+
 static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, const TbHighMode *c,
                       bool sine) {
   const TbPole pole = tb_pole(c->omega, c->decay_rate, model->time_step);
@@ -69,6 +88,7 @@ static void fill_mode(TbHighBand *band, uint32_t i, const TaborModel *model, con
   band->ringing.a[i] = pole.a;
   band->ringing.b[i] = pole.b;
   band->g[i] = pole.g;
+  band->ringing.walk[i] = walk_of(band, c, model->time_step);
   band->stiffness[i] = pole.stiffness;
   band->hold_band[i] = (uint8_t)tb_wire_hold_band(&band->wire_hold, c->omega);
   for (uint32_t p = 0; p < model->def.mic_count; p++) {
@@ -327,6 +347,7 @@ static bool round_ringing(TbHighBand *band, TbArena *arena, uint32_t mics) {
   const uint32_t n = band->padded;
   to->a = rounded(arena, n, exact->a);
   to->b = rounded(arena, n, exact->b);
+  to->walk = rounded(arena, n, exact->walk);
   to->hold = rounded(arena, n, exact->hold);
   for (uint32_t p = 0; p < mics; p++) {
     to->ahead[p] = rounded(arena, n, exact->ahead[p]);
@@ -356,6 +377,7 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
     prepare_wire_hold(band, model, top);
     done = allocate(band, arena, model->def.mic_count);
   }
+  if (done) prepare_scattering(band, model);
   if (done) fill_modes(band, model, &chosen);
   done = done && prepare_groups(band, arena, &scratch, wires) &&
          prepare_hold(band, arena, &scratch, model) &&

@@ -26,10 +26,9 @@
  * that they can bring to a microphone outside the shell, (gain sin(wk)/(wk))^2/(4 s), and kept until they hold 99.9 % of it.
  * If that makes more than TB_HIGH_MOST modes (TB_HIGH_MOST_LIVE at live), every sixth of an octave
  * keeps less.
- * The modes kept carry the energy of the others. With 384 modes at live, third-octave levels were
- * as good, but toms rang in single tones from 2 to 10 kHz: the ratio of geometric to arithmetic
- * mean was -13 dB, recorded drums -3 to -10, with 1,024 modes -4 to -8. The 1,024 modes cost a
- * snare drum 4 % and a tom 12 %.
+ * The modes kept carry the energy of the others, and walk in phase as if they were those, too (scattering.h): without
+ * that, each rings as a tone. With 512 modes at live lines would be as few, but third octaves 3 to 9 dB off, most of all
+ * from 10 kHz on; 2,048 modes move them by up to 2 dB. 1,024 modes cost a snare drum 7 % and a tom 8 %.
  *
  * Strikers drive the modes through their patches. The wires' points are gathered in groups along
  * the bed; each group pushes at its middle. Evenly spaced forces along a wire almost cancel at the
@@ -88,9 +87,12 @@ typedef struct TbHighBand {
   bool folded;        /* groups are their own mirror images under x -> -x */
   TbHighPush push[2]; /* folded: odd orders feel differences, even ones sums; else [0] has all */
   float *rest;        /* [padded] push of the wires at rest */
-  TbWireHold wire_hold; /* what wires in contact take from modes */
-  uint8_t *hold_band;   /* [padded] band of each mode of the wires' head in that table */
-  double radius;        /* of the head [m] */
+  TbWireHold wire_hold;   /* what wires in contact take from modes */
+  uint8_t *hold_band;     /* [padded] band of each mode of the wires' head in that table */
+  double radius;          /* of the head [m] */
+  uint64_t seed;          /* draws the scattering */
+  uint32_t scatter_steps; /* after which every mode's frequency is drawn anew */
+  float scatter_by_wires; /* what wires add to `walk`, against view->high.taken */
 } TbHighBand;
 
 struct TaborModel;

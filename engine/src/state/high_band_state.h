@@ -14,6 +14,7 @@ typedef struct TbHighBandState {
 /* Its arrays. */
 typedef struct TbHighBandView {
   void *drive;     /* [TB_SLOTS][padded], in its precision */
+  void *turn;      /* [padded], likewise: a of TbRinging at the frequency that scattering gave */
   double *scratch; /* [padded] */
   void *taken;     /* [padded], in its precision: see high_band_step.h */
   float *force;    /* [padded] of the wires */

@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "air/high_band_step.h"
 #include "step/live_params.h"
 
 void tb_step_reset(TbState *state, const TaborModel *model) {
@@ -17,5 +18,6 @@ void tb_step_reset(TbState *state, const TaborModel *model) {
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;
     view.solve.warm.force[row] = real ? model->rest.force[row] : 0.0;
   }
+  tb_high_band_step_of(&view)->begin(&view);
   tb_live_params_reset(&view);
 }

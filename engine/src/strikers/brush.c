@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "math/draw.h"
 #include "math/portable_math.h"
 #include "strikers/head_coating.h"
 #include "strikers/striker_hold.h"
@@ -73,7 +74,7 @@ static double stride(const TbView *view, const TbBrush *brush, uint32_t group, d
   const double fast = way * view->model->step_rate * STRIDE_TIME;
   const double mean = fast > STRIDE ? fast : STRIDE;
   const uint64_t number = view->state->clock;
-  return mean * (1.0 + 0.5 * tb_head_coating_draw(~seed_of(brush, group), number));
+  return mean * (1.0 + 0.5 * tb_draw(~seed_of(brush, group), number));
 }
 
 /* ---- strokes --------------------------------------------------------------------------------- */

@@ -1,19 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 #include "strikers/head_coating.h"
 
+#include "math/draw.h"
+
 /* Lengths that make up the roughness, and c/H: 5 c^2 times the variance of a spline of numbers from -1
  * to 1, 151/315 times 1/3, is 1. */
 #define LENGTHS 5u
 static const double PART = 1.118774163600087;
-
-double tb_head_coating_draw(uint64_t seed, uint64_t place) {
-  /* The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every bit. */
-  uint64_t z = seed + (place + 1u) * 0x9E3779B97F4A7C15u;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  z ^= z >> 31;
-  return (double)(z >> 11) * 0x1p-52 - 1.0;
-}
 
 /* The cubic spline at `place` in units of its own length. */
 static double spline(uint64_t seed, double place) {
@@ -21,8 +14,8 @@ static double spline(uint64_t seed, double place) {
   const double t = place - (double)cell, u = 1.0 - t;
   const double b0 = u * u * u, b3 = t * t * t;
   const double b1 = 4.0 - 6.0 * t * t + 3.0 * b3, b2 = 4.0 - 6.0 * u * u + 3.0 * b0;
-  return (b0 * tb_head_coating_draw(seed, cell) + b1 * tb_head_coating_draw(seed, cell + 1u) +
-          b2 * tb_head_coating_draw(seed, cell + 2u) + b3 * tb_head_coating_draw(seed, cell + 3u)) /
+  return (b0 * tb_draw(seed, cell) + b1 * tb_draw(seed, cell + 1u) + b2 * tb_draw(seed, cell + 2u) +
+          b3 * tb_draw(seed, cell + 3u)) /
          6.0;
 }
 

@@ -19,7 +19,5 @@
 
 /* Height at s >= 0 [m] of track number `seed`, in units of its root mean square. */
 double tb_head_coating_height(uint64_t seed, double s);
-/* A pseudo-random number from -1 to 1, practically independent between seeds and places. */
-double tb_head_coating_draw(uint64_t seed, uint64_t place);
 
 #endif

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # The built-in presets and kits: files of presets/ and kits/ compiled into the library, in the order in which they are
-# listed. Sets TABOR_PRESET_SOURCE and TABOR_KIT_SOURCE, the generated tables, which the target preset-table writes.
+# listed: drums, then tunings of them. Sets TABOR_PRESET_SOURCE and TABOR_KIT_SOURCE, the generated tables, which the target preset-table writes.
 
 set(TABOR_PRESETS
     tabor
@@ -20,7 +20,29 @@ set(TABOR_PRESETS
     snare-14x8
     snare-14x5-steel
     tom-10
-    bass-drum-18)
+    bass-drum-18
+    snare-funk-tight
+    snare-ballad-deep
+    snare-seventies-dead
+    snare-jazz-open
+    snare-rock-fat
+    snare-metal-crack
+    snare-reggae-high
+    snare-soul-dry
+    snare-studio-medium
+    snare-garage-trash
+    snare-orchestral
+    snare-disco-thud
+    snare-marching-indoor
+    tom-10-fusion
+    tom-12-jazz-high
+    tom-12-rock-low
+    floor-tom-16-jazz
+    floor-tom-16-dead
+    bass-drum-18-bop
+    bass-drum-22-rock-punch
+    bass-drum-22-vintage
+    frame-drum-low)
 
 set(TABOR_KITS standard jazz marching frame-drums)
 

@@ -22,6 +22,10 @@ EXPORT("preset_comment") const char *web_preset_comment(uint32_t index) {
   return tabor_preset(index)->comment;
 }
 
+EXPORT("preset_category") const char *web_preset_category(uint32_t index) {
+  return tabor_preset(index)->category;
+}
+
 EXPORT("kit_count") uint32_t web_kit_count(void) { return tabor_kit_count(); }
 
 EXPORT("kit_name") const char *web_kit_name(uint32_t index) { return tabor_kit(index)->name; }

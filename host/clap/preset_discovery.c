@@ -63,8 +63,9 @@ static void readable(const char *name, char *text, size_t size) {
 
 typedef clap_preset_discovery_metadata_receiver_t Receiver;
 
-/* Plugins that a preset is for. */
-static void describe(const Receiver *receiver, bool is_kit, const char *comment) {
+/* Plugins that a preset is for, and what kind of drum it is. */
+static void describe(const Receiver *receiver, bool is_kit, const char *category,
+                     const char *comment) {
   static const clap_universal_plugin_id_t drum[] = {{"clap", ID_DRUM}, {"clap", ID_DRUM_MULTI}},
                                           kit = {"clap", ID_KIT};
   if (is_kit) {
@@ -74,6 +75,7 @@ static void describe(const Receiver *receiver, bool is_kit, const char *comment)
   }
   if (*comment) receiver->set_description(receiver, comment);
   receiver->add_feature(receiver, CLAP_PLUGIN_FEATURE_DRUM);
+  if (*category) receiver->add_feature(receiver, category);
 }
 
 static bool describe_built_in(const Receiver *receiver, const TaborPresetInfo *preset,
@@ -82,7 +84,7 @@ static bool describe_built_in(const Receiver *receiver, const TaborPresetInfo *p
   readable(preset->name, name, sizeof name);
   if (!receiver->begin_preset(receiver, name, preset->name)) return false;
   receiver->set_flags(receiver, CLAP_PRESET_DISCOVERY_IS_FACTORY_CONTENT);
-  describe(receiver, is_kit, preset->comment);
+  describe(receiver, is_kit, preset->category, preset->comment);
   return true;
 }
 
@@ -105,7 +107,8 @@ static bool describe_file(const Receiver *receiver, const char *path, TaborKitDe
   if (!is_kit && drum_file_read(path, &drum, message, MESSAGE) != PRESET_FILE_OK) return false;
   if (receiver->begin_preset(receiver, is_kit ? kit->name : drum.name, NULL)) {
     receiver->set_flags(receiver, CLAP_PRESET_DISCOVERY_IS_USER_CONTENT);
-    describe(receiver, is_kit, is_kit ? kit->comment : drum.comment);
+    describe(receiver, is_kit, is_kit ? "kit" : drum.category,
+             is_kit ? kit->comment : drum.comment);
   }
   return true;
 }

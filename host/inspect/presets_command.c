@@ -21,19 +21,20 @@ typedef struct List {
 static const List presets = {"presets", tabor_preset_count, tabor_preset};
 static const List kits = {"kits", tabor_kit_count, tabor_kit};
 
-static int longest_name(const List *list) {
-  size_t longest = 0;
-  for (uint32_t i = 0; i < list->count(); i++) {
-    const size_t length = strlen(list->at(i)->name);
-    if (length > longest) longest = length;
-  }
-  return (int)longest;
+static int longer(int width, const char *word) {
+  const int length = (int)strlen(word);
+  return length > width ? length : width;
 }
 
 static Outcome print_table(const List *list) {
-  const int width = longest_name(list);
+  int name = 0, category = 0;
   for (uint32_t i = 0; i < list->count(); i++) {
-    printf("%-*s  %s\n", width, list->at(i)->name, list->at(i)->comment);
+    name = longer(name, list->at(i)->name);
+    category = longer(category, list->at(i)->category);
+  }
+  for (uint32_t i = 0; i < list->count(); i++) {
+    const TaborPresetInfo *const info = list->at(i);
+    printf("%-*s  %-*s  %s\n", name, info->name, category, info->category, info->comment);
   }
   return OUTCOME_OK;
 }
@@ -43,7 +44,9 @@ static Outcome print_json(const List *list) {
   for (uint32_t i = 0; i < list->count(); i++) {
     const TaborPresetInfo *const info = list->at(i);
     array =
-      json_with_item(array, json_pack("{s:o, s:o, s:o}", "name", json_text(info->name), "comment",
+      json_with_item(array, json_pack("{s:o, s:o, s:o, s:o, s:o}", "name", json_text(info->name),
+                                      "category", json_text(info->category), "base",
+                                      info->base ? json_text(info->base) : json_null(), "comment",
                                       json_text(info->comment), "file", json_text(info->file)));
   }
   return json_print(json_pack("{s:o}", list->key, array));

@@ -921,7 +921,7 @@ static uint32_t list_keys(const TaborDrumDef *def, char *all, size_t size) {
 /* Each of its keys brings the second head, with defaults for the others. */
 static void test_second_head(void **state) {
   (void)state;
-  enum { KEYS = 17 + TABOR_MAX_LUGS };
+  enum { KEYS = 18 + TABOR_MAX_LUGS };
   TaborDrumDef one, two;
   tabor_drum_def_default(&one);
   tabor_drum_def_default(&two);
@@ -954,7 +954,7 @@ static void test_second_head(void **state) {
 
 static void test_second_head_keys(void **state) {
   (void)state;
-  enum { KEYS = 17 }; /* but for lugs' own values, which are not set */
+  enum { KEYS = 18 }; /* but for lugs' own values, which are not set */
   TaborDrumDef def, copy;
   char all[8192];
   tabor_drum_def_default(&def);
@@ -963,7 +963,7 @@ static void test_second_head_keys(void **state) {
   assert_non_null(strstr(all, "shell.stand_damping batter.tension "));
   assert_non_null(strstr(all, "shell.absorption shell.surface_density "));
   assert_non_null(strstr(
-    all, "batter.ring_strength batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
+    all, "batter.ring_strength batter.unevenness batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
   must_set(&def, "resonant.damping_0", "17");
   assert_int_equal(list_keys(&def, all, sizeof all), count + KEYS);
   assert_non_null(strstr(all, "batter.lug_seed resonant.tension "));

@@ -161,6 +161,58 @@ static void test_bodhran(void **state) {
   assert_same_drum(tensioned, &slack);
 }
 
+/* Tunings -------------------------------------------------------------------------------------- */
+
+static TaborStatus read_text(TaborDrumDef *def, const char *text, TaborError *error) {
+  return tabor_drum_def_read(def, text, strlen(text), error);
+}
+
+static void test_base(void **state) {
+  (void)state;
+  TaborDrumDef def, expected = load("tom-12");
+  TaborError error;
+  assert_int_equal(tabor_drum_def_set(&expected, "drum.name", "low", NULL), TABOR_OK);
+  assert_int_equal(tabor_drum_def_set(&expected, "batter.tension", "900", NULL), TABOR_OK);
+  const char *const low = "[drum]\nbase = tom-12\nname = low\n[batter]\ntension = 900\n";
+  assert_int_equal(read_text(&def, low, &error), TABOR_OK);
+  assert_memory_equal(&def, &expected, sizeof def);
+  const TaborDrumDef before = def;
+  assert_int_equal(read_text(&def, "[drum]\nname = low\nbase = tom-12\n", &error), TABOR_ERROR_KEY);
+  assert_string_equal(error.message, "'base' is not the first key of the file");
+  assert_int_equal(error.line, 3);
+  assert_int_equal(read_text(&def, "[drum]\nbase = tom-21\n", &error), TABOR_ERROR_NAME);
+  assert_non_null(strstr(error.message, "did you mean 'tom-1"));
+  assert_int_equal(error.line, 2);
+  assert_memory_equal(&def, &before, sizeof def);
+}
+
+static const TaborPresetInfo *info_of(const char *name) {
+  uint32_t i = 0;
+  while (strcmp(tabor_preset(i)->name, name) != 0) i++;
+  return tabor_preset(i);
+}
+
+/* Every preset has a category, a tuning that of its drum, and tunings stand behind the drums. */
+static void test_tunings(void **state) {
+  (void)state;
+  uint32_t tunings = 0;
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) {
+    const TaborPresetInfo *const info = tabor_preset(i);
+    const TaborDrumDef def = load(info->name);
+    assert_string_equal(info->category, def.category);
+    assert_true(strlen(info->category) > 0);
+    if (!info->base) assert_int_equal(tunings, 0);
+    if (!info->base) continue;
+    tunings++;
+    const TaborDrumDef base = load(info->base);
+    assert_null(info_of(info->base)->base);
+    assert_string_equal(info->category, base.category);
+    assert_memory_not_equal(&def.batter, &base.batter, sizeof def.batter);
+    assert_true(def.shell.radius == base.shell.radius);
+  }
+  assert_true(tunings >= 20);
+}
+
 /* The files ------------------------------------------------------------------------------------ */
 
 /* " ; unit: reason" behind the value, or the whole line. */
@@ -177,6 +229,7 @@ static bool has_unit(const char *line, const char *section) {
   if (sscanf(line, "%63[a-z0-9_] =", key) != 1) return true;
   snprintf(full, sizeof full, "%s.%s", section, key);
   const TaborParameter *const row = tabor_parameter_find(full);
+  if (strcmp(full, "drum.base") == 0) return strstr(line, " ; -:") != NULL;
   if (!row) return false;
   if (strchr(row->unit, '^'))
     return strstr(line, " ; N/m^") != NULL; /* with the exponent's value */
@@ -214,7 +267,8 @@ int main(void) {
     cmocka_unit_test(test_list),       cmocka_unit_test(test_all_valid),
     cmocka_unit_test(test_round_trip), cmocka_unit_test(test_unknown),
     cmocka_unit_test(test_tabor),      cmocka_unit_test(test_frame_drum),
-    cmocka_unit_test(test_bodhran),    cmocka_unit_test(test_files),
+    cmocka_unit_test(test_bodhran),    cmocka_unit_test(test_base),
+    cmocka_unit_test(test_tunings),    cmocka_unit_test(test_files),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

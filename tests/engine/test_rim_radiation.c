@@ -127,37 +127,95 @@ static void a_tilted_wall_moves_inward_above_where_it_rises(void **state) {
   assert_true(fabs(middle[0]) < 1e-9 * fabs(above[0]));
 }
 
-/* The flange, 1 cm wide: at rest far below the sound's wavelength, a ring of dipoles in its plane is silent, and
- * what passes a sphere is what is lost. */
-static void a_flange_radiates_what_it_loses(void **state) {
+/* Strips 3 cm wide: far below the sound's wavelength, dipoles in their own plane are silent, and what passes a sphere is what
+ * is lost. */
+static void a_strip_radiates_what_it_loses(void **state) {
   (void)state;
-  const double width = 0.01, away = 100.0;
+  const double width = 0.03, away = 100.0;
   enum { RINGS = 400 };
-  for (uint32_t n = 0; n < 8; n += n ? 3 : 1) {
-    const double omega = 2.0 * PI * (800.0 + 500.0 * n), k = omega / AIR.sound_speed;
-    double power = 0.0, field[2];
-    for (int i = 0; i < RINGS; i++) {
-      const double t = PI * (i + 0.5) / RINGS;
-      tb_flange_field(n, k, RADIUS, width, away * sin(t), away * cos(t), field);
-      const double p = omega * omega * AIR.density * RADIUS * hypot(field[0], field[1]);
-      power += (n ? 1.0 : 2.0) * p * p / (2.0 * AIR.density * AIR.sound_speed) * PI * away * away *
-               sin(t) * PI / RINGS;
+  for (int motion = TB_STRIP_UP; motion <= TB_STRIP_OUT; motion++) {
+    for (uint32_t n = 0; n < 8; n += n ? 3 : 1) {
+      const double omega = 2.0 * PI * (800.0 + 500.0 * n), k = omega / AIR.sound_speed;
+      double power = 0.0, field[2];
+      for (int i = 0; i < RINGS; i++) {
+        const double t = PI * (i + 0.5) / RINGS;
+        tb_strip_field(motion, n, k, RADIUS, width, away * sin(t), away * cos(t), field);
+        const double p = omega * omega * AIR.density * RADIUS * hypot(field[0], field[1]);
+        power += (n ? 1.0 : 2.0) * p * p / (2.0 * AIR.density * AIR.sound_speed) * PI * away *
+                 away * sin(t) * PI / RINGS;
+      }
+      const double lost =
+        0.5 * tb_strip_resistance(motion, n, omega, &AIR, RADIUS, width) * omega * omega;
+      print_message("motion %d, order %u: %.5g W leave, %.5g W are lost\n", motion, n, power, lost);
+      assert_true(fabs(power / lost - 1.0) < 0.01);
+      if (motion != TB_STRIP_UP) continue;
+      tb_strip_field(motion, n, k, RADIUS, width, 0.1, 0.0, field);
+      assert_true(field[0] == 0.0 && field[1] == 0.0);
     }
-    const double lost = 0.5 * tb_flange_resistance(n, omega, &AIR, RADIUS, width) * omega * omega;
-    print_message("order %u: %.5g W leave, %.5g W are lost\n", n, power, lost);
-    assert_true(fabs(power / lost - 1.0) < 0.01);
-    tb_flange_field(n, k, RADIUS, width, 0.1, 0.0, field);
-    assert_true(field[0] == 0.0 && field[1] == 0.0);
   }
 }
 
-/* A slow round flange on its axis: the mass that it drags along pushes as a dipole of strength mass times
+/* Both motions together: no power is their product. */
+static void a_hoop_that_rises_and_leans_loses_both_powers(void **state) {
+  (void)state;
+  enum { RINGS = 400 };
+  const double omega = 2.0 * PI * 2300.0, k = omega / AIR.sound_speed, away = 100.0;
+  double both = 0.0, apart = 0.0;
+  for (int i = 0; i < RINGS; i++) {
+    const double t = PI * (i + 0.5) / RINGS;
+    double up[2], out[2];
+    tb_strip_field(TB_STRIP_UP, 4, k, RADIUS, 0.015, away * sin(t), away * cos(t), up);
+    tb_strip_field(TB_STRIP_OUT, 4, k, RADIUS, 0.028, away * sin(t), away * cos(t), out);
+    for (int c = 0; c < 2; c++) {
+      both += (up[c] - out[c]) * (up[c] - out[c]) * sin(t);
+      apart += (up[c] * up[c] + out[c] * out[c]) * sin(t);
+    }
+  }
+  assert_true(fabs(both / apart - 1.0) < 1e-6);
+}
+
+/* Far below its wavelength the air of its circle; far above it, plane waves from both sides, 2 rho0 c w. */
+static void a_wide_strip_radiates_plane_waves(void **state) {
+  (void)state;
+  const double width = 0.02, k[] = {0.1, 1e5};
+  double field[2][2], narrow[2][2];
+  for (int i = 0; i < 2; i++) {
+    tb_strip_field(TB_STRIP_UP, 0, k[i], RADIUS, width, 0.0, 0.5, field[i]);
+    tb_strip_field(TB_STRIP_UP, 0, k[i], RADIUS, 1e-9, 0.0, 0.5, narrow[i]);
+    const double mass =
+      0.25 * PI * 1e-18 * hypot(field[i][0], field[i][1]) / hypot(narrow[i][0], narrow[i][1]);
+    const double expected = i ? 2.0 * width / k[i] : 0.25 * PI * width * width; /* of rho0 */
+    assert_true(fabs(mass / expected - 1.0) < 1e-3);
+  }
+}
+
+/* A section that turns freely leans as the edge of a cylinder that does not stretch, n^2 x/R; a closed one turns at most twice. */
+static void a_hoop_leans_as_its_section_lets_it(void **state) {
+  (void)state;
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.shell.radius = RADIUS;
+  def.hoop.wall = 0.028;
+  for (uint32_t n = 2; n < 10; n++) {
+    const double middle = 0.5 * def.hoop.wall / RADIUS;
+    def.hoop.torsion = 1e-9;
+    assert_true(fabs(tb_hoop_lean(&def, n) / (-middle * n * n) - 1.0) < 1e-6);
+    def.hoop.torsion = 1.0;
+    assert_true(fabs(tb_hoop_lean(&def, n)) < 2.0 * middle);
+  }
+  def.hoop.torsion = 0.02;
+  assert_true(fabs(tb_hoop_lean(&def, 1) + 0.5 * def.hoop.wall / RADIUS) <
+              1e-12); /* tilts as a whole */
+  assert_true(tb_hoop_lean(&def, 0) == 0.0);
+}
+
+/* A slow strip on its axis: the mass that it drags along pushes as a dipole of strength mass times
  * acceleration, p = F z/(4 pi s^3), and upward acceleration presses above. */
-static void a_slow_flange_is_a_dipole(void **state) {
+static void a_slow_strip_is_a_dipole(void **state) {
   (void)state;
   const double width = 0.01, z = 3.0, s2 = z * z + RADIUS * RADIUS;
   double field[2];
-  tb_flange_field(0, 1e-6, RADIUS, width, 0.0, z, field);
+  tb_strip_field(TB_STRIP_UP, 0, 1e-6, RADIUS, width, 0.0, z, field);
   const double mass = AIR.density * PI * 0.25 * width * width * 2.0 * PI * RADIUS;
   const double expected = mass * z / (4.0 * PI * s2 * sqrt(s2));
   assert_true(fabs(AIR.density * RADIUS * field[0] / expected - 1.0) < 1e-9);
@@ -170,8 +228,11 @@ int main(void) {
     cmocka_unit_test(what_leaves_is_what_the_mode_loses),
     cmocka_unit_test(long_waves_take_nothing),
     cmocka_unit_test(a_tilted_wall_moves_inward_above_where_it_rises),
-    cmocka_unit_test(a_flange_radiates_what_it_loses),
-    cmocka_unit_test(a_slow_flange_is_a_dipole),
+    cmocka_unit_test(a_strip_radiates_what_it_loses),
+    cmocka_unit_test(a_hoop_that_rises_and_leans_loses_both_powers),
+    cmocka_unit_test(a_wide_strip_radiates_plane_waves),
+    cmocka_unit_test(a_hoop_leans_as_its_section_lets_it),
+    cmocka_unit_test(a_slow_strip_is_a_dipole),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

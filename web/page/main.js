@@ -446,12 +446,15 @@ async function load(file) {
 }
 
 function listPresets(engine) {
-  const list = (count, name, comment) =>
-    Array.from({ length: count }, (_, i) => ({ name: textAt(engine, name(i)), comment: textAt(engine, comment(i)) }));
-  const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment);
+  const list = (count, name, comment, category) =>
+    Array.from({ length: count }, (_, i) => ({
+      name: textAt(engine, name(i)), comment: textAt(engine, comment(i)), category: category(i),
+    }));
+  const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment, () => "kit");
+  const category = (i) => textAt(engine, engine.preset_category(i));
   return [
-    ...list(engine.preset_count(), engine.preset_name, engine.preset_comment),
-    ...kits.map(({ name, comment }) => ({ name: listedKit(name), comment })),
+    ...list(engine.preset_count(), engine.preset_name, engine.preset_comment, category),
+    ...kits.map((kit) => ({ ...kit, name: listedKit(kit.name) })),
   ];
 }
 
@@ -467,9 +470,12 @@ function checkLink() {
 function fillPresets() {
   checkLink();
   const select = element("preset");
-  const groups = ["Drums", "Kits"].map((label) => Object.assign(document.createElement("optgroup"), { label }));
-  for (const { name } of presets) groups[Number(kitOf(name) !== null)].append(new Option(kitOf(name) ?? name, name));
-  select.append(...groups);
+  const groups = new Map();
+  for (const { name, category } of presets) {
+    if (!groups.has(category)) groups.set(category, Object.assign(document.createElement("optgroup"), { label: category }));
+    groups.get(category).append(new Option(kitOf(name) ?? name, name));
+  }
+  select.append(...groups.values());
   const wanted = presets.some(({ name }) => name === link.get("drum"));
   select.value = wanted ? link.get("drum") : FIRST_DRUM;
   if (!wanted && link.has("drum")) {

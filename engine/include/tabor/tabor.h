@@ -370,6 +370,11 @@ typedef struct TaborHoopDef {
   double tie_frequency;
   double tie_loss; /**< loss factor of rods and collar, 0 to 1, default 0.06 */
   double width; /**< seen from above, which its own sound depends on [m], 0 to 0.05, default 0.01 */
+  /** Height of its section, which leans outwards and inwards as the hoop bends, and so sounds [m], 0 to 0.1, default 0.028. */
+  double wall;
+  /** Torsional over bending stiffness of its section, 0.001 to 10, default 1, that of a rod. The easier a section turns,
+   * the more its wall leans. */
+  double torsion;
 } TaborHoopDef;
 
 /** The default stroke. */
@@ -451,11 +456,13 @@ typedef struct TaborDrumDef {
   char name[TABOR_NAME_SIZE];    /**< name of the drum */
   char comment[TABOR_TEXT_SIZE]; /**< description, one line */
   char license[TABOR_NAME_SIZE]; /**< licence of the definition */
-  TaborShellDef shell;           /**< [shell] of a preset */
-  TaborHeadDef batter;           /**< [batter], the struck head */
-  uint32_t two_headed;           /**< 1 with a resonant head, 0 without, default 0 */
-  TaborHeadDef resonant;         /**< [resonant]; without effect and keys unless two_headed is 1 */
-  TaborWiresDef wires;           /**< [wires] */
+  char category
+    [TABOR_NAME_SIZE];   /**< kind of drum, for lists: letters, digits, '-' and '_', or empty */
+  TaborShellDef shell;   /**< [shell] of a preset */
+  TaborHeadDef batter;   /**< [batter], the struck head */
+  uint32_t two_headed;   /**< 1 with a resonant head, 0 without, default 0 */
+  TaborHeadDef resonant; /**< [resonant]; without effect and keys unless two_headed is 1 */
+  TaborWiresDef wires;   /**< [wires] */
   TaborWireDef wire[TABOR_MAX_WIRES];          /**< wire[n - 1] is [wire.n] */
   uint32_t striker_count;                      /**< strikers defined, 1 to 8 */
   TaborStrikerDef striker[TABOR_MAX_STRIKERS]; /**< [striker.NAME]; the first is the default */
@@ -501,9 +508,12 @@ typedef struct TaborParameter {
 
 /** A built-in preset. */
 typedef struct TaborPresetInfo {
-  const char *name;    /**< for tabor_drum_def_preset() */
-  const char *comment; /**< description, one line */
-  const char *file;    /**< name of its text file in presets/ */
+  const char *name;     /**< for tabor_drum_def_preset() */
+  const char *comment;  /**< description, one line */
+  const char *file;     /**< name of its text file in presets/ */
+  const char *category; /**< for lists, such as "snare"; "kit" of a kit */
+  const char
+    *base; /**< of a tuning: the preset that it changes; NULL of a drum of its own and of a kit */
 } TaborPresetInfo;
 
 /** @name Set-up: definitions

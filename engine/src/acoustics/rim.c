@@ -17,7 +17,7 @@ static void prepare_hoop(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   const double radius = def->shell.radius, n2 = (double)n * n, azimuth = azimuth_of(n);
   rim->hoop_mass = hoop->mass * azimuth / (2.0 * PI);
   rim->hoop_stiffness = hoop->bending_stiffness / (radius * radius * radius) * azimuth * n2 *
-                        square(n2 - 1.0) / (n2 + 1.0);
+                        square(n2 - 1.0) * hoop->torsion / (1.0 + hoop->torsion * n2);
   rim->tie = rim->hoop_mass * square(2.0 * PI * hoop->tie_frequency);
   rim->hoop_loss = hoop->loss;
   rim->tie_loss = hoop->tie_loss;

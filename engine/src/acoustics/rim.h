@@ -10,8 +10,10 @@
  * so the heads' mass and all air act on y_i = v_i + s c_i u, and to the mass of u comes what the
  * truncated series misses, rho a_n R^2 (1/(2n + 2) - Sum_i 2/z_i^2).
  *
- * Hoop: mass m a_n/(2 pi), m the hoop's, and as a ring that bends without twisting the stiffness
- *   (EI/R^3) a_n n^2 (n^2-1)^2/(n^2+1) [Rayleigh1877].
+ * Hoop: mass m a_n/(2 pi), m the hoop's, and as a ring of the bending stiffness EI and the torsional stiffness g EI,
+ * whose section turns as it costs least (rim_radiation.h), the stiffness
+ *   (EI/R^3) a_n n^2 (n^2-1)^2 g/(1 + g n^2),
+ * g = 1: [Rayleigh1877].
  * Rods, lugs and the head's collar tie it to the edge with the stiffness (mass of the hoop)
  * (2 pi f_t)^2. A hoop without stiffness of its own (EI = 0) moves with the edge: a = u.
  *

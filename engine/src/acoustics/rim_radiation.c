@@ -75,18 +75,25 @@ double tb_wall_resistance(uint32_t n, double omega, const TaborAirDef *air, doub
   return omega * omega * air->density * n2 * n2 * PI * sum / (4.0 * air->sound_speed);
 }
 
-/* ---- the flange ------------------------------------------------------------------------------- */
+/* ---- the hoop --------------------------------------------------------------------------------- */
 
-void tb_flange_field(uint32_t n, double wavenumber, double radius, double width, double r, double z,
-                     double field[2]) {
+/* m'/rho0 of a strip [m2]. */
+static double strip_of(double wavenumber, double width) {
+  const double wide = PI / 8.0 * wavenumber * width;
+  return PI * 0.25 * width * width / sqrt(1.0 + wide * wide);
+}
+
+void tb_strip_field(TbStripMotion motion, uint32_t n, double wavenumber, double radius,
+                    double width, double r, double z, double field[2]) {
   const uint32_t around = points_around(n, wavenumber, radius, r);
-  const double strip = PI * 0.25 * width * width;
+  const double strip = strip_of(wavenumber, width);
   field[0] = field[1] = 0.0;
   for (uint32_t i = 0; i < around; i++) {
-    const double angle = PI * (i + 0.5) / around;
-    const double square = r * r + radius * radius - 2.0 * r * radius * tb_cos(angle) + z * z;
+    const double angle = PI * (i + 0.5) / around, c = tb_cos(angle);
+    const double square = r * r + radius * radius - 2.0 * r * radius * c + z * z;
     const double distance = sqrt(square), turn = wavenumber * distance;
-    const double size = strip * tb_cos(n * angle) * z / (square * distance) / (2.0 * around);
+    const double along = motion == TB_STRIP_UP ? z : r * c - radius;
+    const double size = strip * tb_cos(n * angle) * along / (square * distance) / (2.0 * around);
     double sine, cosine;
     tb_sin_cos(turn, &sine, &cosine);
     field[0] += size * (cosine + turn * sine);
@@ -94,20 +101,33 @@ void tb_flange_field(uint32_t n, double wavenumber, double radius, double width,
   }
 }
 
-double tb_flange_resistance(uint32_t n, double omega, const TaborAirDef *air, double radius,
-                            double width) {
+/* J_n'(x) */
+static double bessel_slope(uint32_t n, double x) {
+  const double next = tb_bessel_j(n + 1, x);
+  return n ? 0.5 * (tb_bessel_j(n - 1, x) - next) : -next;
+}
+
+double tb_strip_resistance(TbStripMotion motion, uint32_t n, double omega, const TaborAirDef *air,
+                           double radius, double width) {
   enum { NODES = 8 * TB_PANEL };
   double angles[NODES], weights[NODES], sum = 0.0;
   const double k = omega / air->sound_speed;
-  const double size = omega * air->density * PI * 0.25 * width * width * k * radius * 0.5;
+  const double size = omega * air->density * strip_of(k, width) * k * radius * 0.5;
   tb_quadrature(0.0, PI, NODES / TB_PANEL, angles, weights);
   for (uint32_t i = 0; i < NODES; i++) {
     double sine, cosine;
     tb_sin_cos(angles[i], &sine, &cosine);
-    const double part = cosine * tb_bessel_j(n, k * radius * sine);
+    const double x = k * radius * sine;
+    const double part =
+      motion == TB_STRIP_UP ? cosine * tb_bessel_j(n, x) : sine * bessel_slope(n, x);
     sum += weights[i] * part * part * sine;
   }
   return (n ? 1.0 : 2.0) * PI * size * size * sum / (air->density * air->sound_speed);
+}
+
+double tb_hoop_lean(const TaborDrumDef *def, uint32_t n) {
+  const double n2 = (double)n * n, torsion = def->hoop.torsion;
+  return -0.5 * def->hoop.wall / def->shell.radius * n2 * (1.0 + torsion) / (1.0 + n2 * torsion);
 }
 
 /* ---- one mode --------------------------------------------------------------------------------- */
@@ -145,47 +165,54 @@ static void wall_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, d
                 z, field);
 }
 
-static void flange_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
-                      double field[2]) {
-  tb_flange_field(mode->m, mode->omega / def->air.sound_speed, def->shell.radius, def->hoop.width,
-                  r, z - def->hoop.height, field);
+static void hoop_width_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
+                          double field[2]) {
+  tb_strip_field(TB_STRIP_UP, mode->m, mode->omega / def->air.sound_speed, def->shell.radius,
+                 def->hoop.width, r, z - def->hoop.height, field);
+}
+
+static void hoop_wall_at(const TaborDrumDef *def, const TbHeadMode *mode, double r, double z,
+                         double field[2]) {
+  tb_strip_field(TB_STRIP_OUT, mode->m, mode->omega / def->air.sound_speed, def->shell.radius,
+                 def->hoop.wall, r, z - def->hoop.height + 0.5 * def->hoop.wall, field);
+}
+
+/* A part that moves by `amplitude`, of the resistance r of tb_wall_resistance(). */
+static void add_part(const TaborDrumDef *def, double amplitude, double resistance,
+                     RimField *field_at, TbHeadMode *mode) {
+  uint32_t mics[TABOR_MAX_MICS];
+  const uint32_t count = tb_mics_outside(def, mics);
+  mode->radiation_rate += 0.5 * amplitude * amplitude * resistance;
+  for (uint32_t p = 0; p < count; p++) {
+    const TaborMicDef *mic = &def->mic[mics[p]];
+    double field[2];
+    field_at(def, mode, mic->radius, mic->height, field);
+    add_field(mode, mics[p], amplitude, field);
+  }
+  add_far(mode, def, amplitude, field_at);
 }
 
 static void add_wall(const TaborDrumDef *def, double edge, TbHeadMode *mode) {
   const double radius = def->shell.radius, depth = def->shell.depth;
-  uint32_t mics[TABOR_MAX_MICS];
-  const uint32_t count = tb_mics_outside(def, mics);
-  mode->radiation_rate +=
-    0.5 * edge * edge * tb_wall_resistance(mode->m, mode->omega, &def->air, radius, depth);
-  for (uint32_t p = 0; p < count; p++) {
-    const TaborMicDef *mic = &def->mic[mics[p]];
-    double field[2];
-    wall_at(def, mode, mic->radius, mic->height, field);
-    add_field(mode, mics[p], edge, field);
-  }
-  add_far(mode, def, edge, wall_at);
+  add_part(def, edge, tb_wall_resistance(mode->m, mode->omega, &def->air, radius, depth), wall_at,
+           mode);
 }
 
-static void add_flange(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
-  const double radius = def->shell.radius, width = def->hoop.width;
-  uint32_t mics[TABOR_MAX_MICS];
-  const uint32_t count = tb_mics_outside(def, mics);
-  mode->radiation_rate +=
-    0.5 * hoop * hoop * tb_flange_resistance(mode->m, mode->omega, &def->air, radius, width);
-  for (uint32_t p = 0; p < count; p++) {
-    const TaborMicDef *mic = &def->mic[mics[p]];
-    double field[2];
-    flange_at(def, mode, mic->radius, mic->height, field);
-    add_field(mode, mics[p], hoop, field);
-  }
-  add_far(mode, def, hoop, flange_at);
+static void add_hoop(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
+  const double radius = def->shell.radius, width = def->hoop.width, wall = def->hoop.wall;
+  const double up =
+    tb_strip_resistance(TB_STRIP_UP, mode->m, mode->omega, &def->air, radius, width);
+  const double out =
+    tb_strip_resistance(TB_STRIP_OUT, mode->m, mode->omega, &def->air, radius, wall);
+  if (width > 0.0) add_part(def, hoop, up, hoop_width_at, mode);
+  if (wall > 0.0) add_part(def, hoop * tb_hoop_lean(def, mode->m), out, hoop_wall_at, mode);
 }
 
 void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
                     TbHeadMode *mode) {
   if (def->air.density == 0.0 || !(tb_rim_mass(rim, motion) > LEAST_HEARD)) return;
   if (mode->m > 0 && rim->enclosed) add_wall(def, motion.edge, mode);
-  if (def->hoop.width > 0.0) add_flange(def, motion.hoop, mode);
+  add_hoop(def, motion.hoop, mode);
   if (!mode->has_far) return;
   mode->radiation_rate =
     tb_far_decay_rate(&def->air, def->shell.radius, mode->m, mode->omega, mode->far);

@@ -11,7 +11,8 @@ typedef struct TbHighBandStep {
   void (*begin)(const TbView *view);
   /* Draws the frequencies of eight modes anew, without a change of their phase and amplitude, so that over time all lose
    * their phase at the rates of scattering.h. Wires in contact scatter as much as they take: 2 s more, s the decay
-   * rate by view->high.taken. */
+   * rate by view->high.taken. Not while a striker pushes: modes then lean by what it holds them, which is no motion whose phase
+   * could change. */
   void (*scatter)(const TbView *view);
   /* Fills view->high.taken: the part of each mode's motion that the wires take in a step, from the
    * resistance of all their points in each band of TbWireHold [N s/m]. */

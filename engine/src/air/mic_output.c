@@ -44,6 +44,7 @@ static double high_push(TbView *view, TbSlot *slot, double force) {
 /* Strikers push the batter head's modes; true if any does. */
 static bool strike_high(TbView *view) {
   bool struck = false;
+  view->state->high.struck = 0;
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
     TbSlot *slot = tb_slot(view, i);
     if (!tb_slot_strikes(slot) || slot->on_hoop) continue;
@@ -52,6 +53,7 @@ static bool strike_high(TbView *view) {
     if (push == 0.0) continue;
     tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;
+    if (slot->kind != TB_SLOT_BRISTLES) view->state->high.struck = 1;
   }
   return struck;
 }
@@ -86,7 +88,7 @@ static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
     view->state->high.contacts.motion += contacts.motion;
   }
   renew_hold(view);
-  tb_high_band_step_of(view)->scatter(view);
+  if (!view->state->high.struck) tb_high_band_step_of(view)->scatter(view);
   const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view));
   return strike_high(view) ? tb_high_band_step_of(view)->sums(view, mic, &view->next) : heard;
 }

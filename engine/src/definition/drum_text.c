@@ -16,22 +16,45 @@ static bool is_of_kit(const char *section) {
   return strcmp(section, "kit") == 0 || tb_begins(section, "drum.") || tb_begins(section, "note.");
 }
 
+/* What is read. */
+typedef struct Reading {
+  TaborDrumDef def;
+  bool begun; /* a key has been read */
+} Reading;
+
+/* The preset that the other lines change. */
+static TaborStatus take_base(Reading *reading, const char *name, TaborError *error) {
+  if (!reading->begun) return tabor_drum_def_preset(&reading->def, name, error);
+  return tb_error_set(error, TABOR_ERROR_KEY, "drum.base", name, NAN, NAN,
+                      "'base' is not the first key of the file");
+}
+
+static TaborStatus take_pair(Reading *reading, const TaborTextLine *line, TaborError *error) {
+  const bool is_base = strcmp(line->full, "drum.base") == 0;
+  const TaborStatus status = is_base
+                               ? take_base(reading, line->value, error)
+                               : tabor_drum_def_set(&reading->def, line->full, line->value, error);
+  reading->begun = true;
+  return status;
+}
+
 /* A TaborTextTake. */
 static TaborStatus take_line(void *context, const TaborTextLine *line, TaborError *error) {
-  TaborDrumDef *const def = context;
-  const TaborStatus status = line->key ? tabor_drum_def_set(def, line->full, line->value, error)
-                                       : tabor_drum_def_section(def, line->section, error);
+  Reading *const reading = context;
+  const TaborStatus status = line->key
+                               ? take_pair(reading, line, error)
+                               : tabor_drum_def_section(&reading->def, line->section, error);
   if (status == TABOR_OK || !is_of_kit(line->section)) return status;
   return tb_error_add(error, status, "; is this file a kit, not a drum?");
 }
 
 TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, size_t size,
                                 TaborError *error) {
-  TaborDrumDef read;
+  Reading reading = {.begun = false};
   if (!def) return tb_error_null(error, "definition");
-  tabor_drum_def_clear(&read);
-  const TaborStatus status = tabor_text_read(text, size, take_line, &read, error);
-  if (status == TABOR_OK) *def = read;
+  tabor_drum_def_clear(&reading.def);
+  const TaborStatus status = tabor_text_read(text, size, take_line, &reading, error);
+  if (status == TABOR_OK) *def = reading.def;
   return status;
 }
 

@@ -120,6 +120,9 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
   {ROW(TB_PARAM_DRUM_LICENSE, "drum", "license", "", "licence of the preset", TEXT),
    SIZED(license)},
+  {ROW(TB_PARAM_DRUM_CATEGORY, "drum", "category", "", "kind of drum, for lists, such as snare",
+       TEXT),
+   SIZED(category), .identifier = true},
 
   {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),
@@ -349,6 +352,13 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HOOP_WIDTH, "hoop", "width", "m",
        "width of the hoop seen from above, which its sound depends on", NUMBER(0, 0.05, 0.01)),
    AT(hoop.width)},
+  {ROW(TB_PARAM_HOOP_WALL, "hoop", "wall", "m",
+       "height of the hoop's section, which leans as the hoop bends and so sounds",
+       NUMBER(0, 0.1, 0.028)),
+   AT(hoop.wall)},
+  {ROW(TB_PARAM_HOOP_TORSION, "hoop", "torsion", "",
+       "torsional over bending stiffness of the hoop's section", NUMBER(0.001, 10, 1), LOGARITHMIC),
+   AT(hoop.torsion)},
 
   {ROW(TB_PARAM_STRIKE_VELOCITY, "strike", "velocity", "m/s", "speed of the usual stroke",
        NUMBER(0.01, 30, 2.5), LOGARITHMIC),

@@ -8,6 +8,7 @@
 typedef struct TbHighBandState {
   uint32_t wires_hold;     /* 1: wires take part of the modes' motion, the view's high.taken */
   uint32_t hold_steps;     /* steps since that was renewed */
+  uint32_t struck;         /* 1: a striker other than a brush pushed the modes in the last step */
   TbWireContacts contacts; /* sums over these steps */
 } TbHighBandState;
 

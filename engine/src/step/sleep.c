@@ -42,7 +42,7 @@ static void clear_high(TbView *view) {
   const size_t bytes = view->model->high.padded * sizeof(double);
   memset(view->now.high, 0, bytes);
   memset(view->last.high, 0, bytes);
-  view->state->high.wires_hold = view->state->high.hold_steps = 0;
+  view->state->high.wires_hold = view->state->high.hold_steps = view->state->high.struck = 0;
   view->state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
 }
 

@@ -23,6 +23,7 @@ class Preset(NamedTuple):
 
     name: str  #: for `Definition`
     comment: str  #: one line
+    category: str  #: such as ``"snare"``
 
 
 class Parameter(NamedTuple):
@@ -46,10 +47,10 @@ def presets() -> List[Preset]:
     Returns
     -------
     list of Preset
-        Name and comment of each.
+        Name, comment and category of each.
     """
     rows = (lib.tabor_preset(i) for i in range(lib.tabor_preset_count()))
-    return [Preset(text(row.name), text(row.comment)) for row in rows]
+    return [Preset(text(row.name), text(row.comment), text(row.category)) for row in rows]
 
 
 def _parameter(row: Any) -> Parameter:

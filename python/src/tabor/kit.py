@@ -39,7 +39,7 @@ def kits() -> Tuple[Preset, ...]:
         Names and descriptions.
     """
     rows = [lib.tabor_kit(i) for i in range(lib.tabor_kit_count())]
-    return tuple(Preset(text(row.name), text(row.comment)) for row in rows)
+    return tuple(Preset(text(row.name), text(row.comment), text(row.category)) for row in rows)
 
 
 def _maps() -> List[str]:

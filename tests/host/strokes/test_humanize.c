@@ -151,8 +151,9 @@ static void generator_is_the_published_one(void **state) {
   Humanizer player = humanizer(1, 1234567);
   TaborEvent event = stroke(0, 0);
   humanize(&player, HEAD, &event);
-  assert_true(fabs(event.radius - 0.015 * sqrt(share[0])) < 1e-15);
-  assert_true(fabs(cos(event.angle * PI / 180) - cos(2 * PI * share[1])) < 1e-12);
+  const double x = 2 * share[0] - 1, y = 2 * share[1] - 1; /* inside the disc */
+  assert_true(fabs(event.radius - 0.015 * hypot(x, y)) < 1e-15);
+  assert_true(fabs(event.angle - atan2(y, x) * 180 / PI) < 1e-9);
   assert_true(fabs(event.velocity - 2.5 * (1 + 0.06 * (share[2] - share[3]))) < 1e-14);
 }
 

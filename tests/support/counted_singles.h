@@ -49,6 +49,7 @@ COUNTED(mix, terms_of(mixing), (const TbMixing *mixing, const double *q, double 
         (mixing, q, out))
 COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
                (r))
+COUNTED(scatter, 8, (const TB_TYPE(TbScattering) * s), (s))
 COUNTED(contract,
         (uint64_t)wire_grid->lines * wire_grid->lanes * wire_grid->wires +
           (uint64_t)wire_grid->lines * wire_grid->half *
@@ -190,6 +191,7 @@ static const TbKernels counting = {
   .gather = COUNT(gather),
   .mix = COUNT(mix),
   .ring = COUNT(ring),
+  .scatter = COUNT(scatter),
   .contract = COUNT(contract),
   .expand = COUNT(expand),
   .comply = COUNT(comply),

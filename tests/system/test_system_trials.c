@@ -58,8 +58,8 @@ static bool is_newer(const TaborParameter *p) {
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
          strcmp(p->key, "damping_k") == 0 || strncmp(p->key, "ring_", 5) == 0 ||
-         strcmp(p->key, "bristles") == 0 || strcmp(p->key, "spread") == 0 ||
-         strcmp(p->key, "sweep_speed") == 0;
+         strcmp(p->key, "unevenness") == 0 || strcmp(p->key, "bristles") == 0 ||
+         strcmp(p->key, "spread") == 0 || strcmp(p->key, "sweep_speed") == 0;
 }
 
 /* On every other drum, of its own seed, so that older trials stay what they were. */
@@ -80,15 +80,25 @@ static void draw_brush(uint64_t seed, TaborStrikerDef *striker) {
   if (physics_random(&seed) % 2) striker->mass = exp(physics_uniform(&seed, log(1e-4), log(0.01)));
 }
 
+static double draw_key(uint64_t *seed, const char *key) {
+  return draw_value(seed, tabor_parameter_find(key));
+}
+
+/* Every third head is even. */
+static void draw_unevenness(uint64_t seed, TaborHeadDef *head) {
+  head->unevenness = physics_random(&seed) % 3 ? draw_key(&seed, "batter.unevenness") : 0.0;
+}
+
+static void draw_section(uint64_t seed, TaborHoopDef *hoop) {
+  hoop->wall = draw_key(&seed, "hoop.wall");
+  hoop->torsion = draw_key(&seed, "hoop.torsion");
+}
+
 static void draw_hoop(uint64_t seed, TaborHoopDef *hoop) {
   hoop->height = physics_uniform(&seed, 0.0, 0.05);
   hoop->mass = exp(physics_uniform(&seed, log(0.05), log(20.0)));
   hoop->contact_stiffness = exp(physics_uniform(&seed, log(1e5), log(1e11)));
   hoop->contact_loss = physics_random(&seed) % 3 ? physics_uniform(&seed, 0.0, 2.0) : 100.0;
-}
-
-static double draw_key(uint64_t *seed, const char *key) {
-  return draw_value(seed, tabor_parameter_find(key));
 }
 
 /* On every other head. */
@@ -132,6 +142,9 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   def->resonant.damping_k = draw_key(&more, "resonant.damping_k");
   draw_ring(seed + 5, def, &def->batter);
   draw_ring(seed + 6, def, &def->resonant);
+  draw_unevenness(seed + 7, &def->batter);
+  draw_unevenness(seed + 8, &def->resonant);
+  draw_section(seed + 9, &def->hoop);
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {
@@ -150,10 +163,16 @@ static void place_mics(uint64_t *seed, TaborDrumDef *def) {
   }
 }
 
+/* The presets without their tunings. */
+static uint32_t drum_count(void) {
+  uint32_t count = 0;
+  while (count < tabor_preset_count() && !tabor_preset(count)->base) count++;
+  return count;
+}
+
 /* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
 static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
-  *def =
-    physics_preset(tabor_preset((uint32_t)(physics_random(seed) % tabor_preset_count()))->name);
+  *def = physics_preset(tabor_preset((uint32_t)(physics_random(seed) % drum_count()))->name);
   const bool two_headed = physics_random(seed) % 2;
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *p = tabor_parameter(i);
@@ -408,8 +427,7 @@ static void random_playing_stays_finite_and_passive(void **state) {
   enum { MODELS = 24 };
   for (uint32_t m = 0; m < MODELS && m < sequences; m++) {
     const uint64_t name = seed;
-    TaborDrumDef def =
-      playing_drum(tabor_preset(m % tabor_preset_count())->name, 1 + m % 4, m % 5 != 0);
+    TaborDrumDef def = playing_drum(tabor_preset(m % drum_count())->name, 1 + m % 4, m % 5 != 0);
     draw_newer(name, &def);
     TaborModel *model = model_of(&def, &seed, name, &tally);
     assert_non_null(model);

@@ -235,7 +235,7 @@ typedef struct TaborHeadDef {
   double ring_width;
   double ring_strength; /**< the whole ring's c [N s/m], 0 (none) to 30, default 0 */
   /** Relative deviation of the mass per area from place to place, root mean square over patches of some 3 cm, 0 to
-   * 0.3, default 0.08. It scatters waves above the two-way bandwidth, so that the treble is noise instead of lines; 0:
+   * 0.3, default 0.12. It scatters waves above the two-way bandwidth, so that the treble is noise instead of lines; 0:
    * none. `lug_seed` draws it, too. */
   double unevenness;
   uint32_t lug_count; /**< 3 to 16, default 10 */

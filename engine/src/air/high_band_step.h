@@ -7,7 +7,7 @@
 #include "state/state.h"
 
 typedef struct TbHighBandStep {
-  /* Fills view->high.turn: every mode swings at its own frequency. */
+  /* Fills view->high.turn: every mode swings at its own frequency, and scattering begins anew. */
   void (*begin)(const TbView *view);
   /* Draws the frequencies of eight modes anew, without a change of their phase and amplitude, so that over time all lose
    * their phase at the rates of scattering.h. Wires in contact scatter as much as they take: 2 s more, s the decay

@@ -24,6 +24,7 @@ static Real *drive_of(const TbView *view, uint32_t slot) {
 
 static void begin(const TbView *view) {
   const TbHighBand *high = &view->model->high;
+  view->state->high.scattered = 0;
   if (high->count) memcpy(view->high.turn, ringing_of(view)->a, high->padded * sizeof(Real));
 }
 
@@ -65,12 +66,12 @@ static void draw(const TbHighBand *high, uint64_t place, Real drawn[BLOCK]) {
 
 static void scatter(const TbView *view) {
   const TbHighBand *high = &view->model->high;
-  const uint64_t block = view->state->clock % high->scatter_steps;
+  const uint64_t step = view->state->high.scattered++, block = step % high->scatter_steps;
   if (BLOCK * block >= high->padded) return;
   const uint32_t from = (uint32_t)(BLOCK * block);
   const TYPE_OF(TbRinging) *ringing = ringing_of(view);
   Real drawn[BLOCK] __attribute__((aligned(64)));
-  draw(high, view->state->clock, drawn);
+  draw(high, step, drawn);
   const TYPE_OF(TbScattering)
     scattering = {.a = ringing->a + from,
                   .b = ringing->b + from,

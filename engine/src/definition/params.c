@@ -102,7 +102,7 @@
      place(ring_strength)},                                                                        \
     {ROW((first) + TB_HEAD_UNEVENNESS, section, "unevenness", "",                                  \
          "relative deviation of the head's mass from place to place, which scatters the treble",   \
-         NUMBER(0, 0.3, 0.08)),                                                                    \
+         NUMBER(0, 0.3, 0.12)),                                                                    \
      place(unevenness)},                                                                           \
     {ROW((first) + TB_HEAD_LUG_COUNT, section, "lug_count", "", "number of lugs around the head",  \
          WHOLE(3, TABOR_MAX_LUGS, 10)),                                                            \

@@ -286,6 +286,7 @@ static void carry_high(const TbView *from, TbView *to) {
   memcpy(to->high.turn, from->high.turn, bytes);
   to->state->high.wires_hold = from->state->high.wires_hold;
   to->state->high.hold_steps = from->state->high.hold_steps;
+  to->state->high.scattered = from->state->high.scattered;
   to->state->high.struck = from->state->high.struck;
   to->state->high.contacts = from->state->high.contacts;
 }

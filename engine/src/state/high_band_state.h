@@ -6,6 +6,7 @@
 #include "model/model.h"
 
 typedef struct TbHighBandState {
+  uint64_t scattered;      /* steps of scattering since every mode had its own frequency */
   uint32_t wires_hold;     /* 1: wires take part of the modes' motion, the view's high.taken */
   uint32_t hold_steps;     /* steps since that was renewed */
   uint32_t struck;         /* 1: a striker other than a brush pushed the modes in the last step */

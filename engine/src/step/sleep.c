@@ -44,6 +44,7 @@ static void clear_high(TbView *view) {
   memset(view->last.high, 0, bytes);
   view->state->high.wires_hold = view->state->high.hold_steps = view->state->high.struck = 0;
   view->state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
+  tb_high_band_step_of(view)->begin(view); /* so that a stroke sounds alike whenever it comes */
 }
 
 static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }

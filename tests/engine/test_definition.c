@@ -962,8 +962,8 @@ static void test_second_head_keys(void **state) {
   assert_null(strstr(all, "resonant."));
   assert_non_null(strstr(all, "shell.stand_damping batter.tension "));
   assert_non_null(strstr(all, "shell.absorption shell.surface_density "));
-  assert_non_null(strstr(
-    all, "batter.ring_strength batter.unevenness batter.lug_count batter.lug_spread batter.lug_seed wires.head "));
+  assert_non_null(strstr(all, "batter.ring_strength batter.unevenness batter.lug_count "
+                              "batter.lug_spread batter.lug_seed wires.head "));
   must_set(&def, "resonant.damping_0", "17");
   assert_int_equal(list_keys(&def, all, sizeof all), count + KEYS);
   assert_non_null(strstr(all, "batter.lug_seed resonant.tension "));

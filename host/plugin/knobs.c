@@ -150,14 +150,20 @@ const Knob knobs[KNOB_COUNT] = {
                  .name = "Drum",
                  .group = "drum",
                  .kind = KNOB_REBUILD,
-                 RANGE(0, 17),
+                 RANGE(0, 39),
                  .fallback = 5, /* DEFAULT_PRESET */
                  .unit = "",
                  .choices =
                    "tabor|frame-drum|bodhran-piano-string|bodhran-d-string|"
                    "bodhran-d-string-tensioned|snare-14x5.5|snare-14x5.5-off|snare-14x6.5-loose|"
                    "piccolo-13x3.5|marching-14x12|tom-12|floor-tom-16|bass-drum-22|timpani-26|"
-                   "snare-14x8|snare-14x5-steel|tom-10|bass-drum-18",
+                   "snare-14x8|snare-14x5-steel|tom-10|bass-drum-18|snare-funk-tight|"
+                   "snare-ballad-deep|snare-seventies-dead|snare-jazz-open|snare-rock-fat|"
+                   "snare-metal-crack|snare-reggae-high|snare-soul-dry|snare-studio-medium|"
+                   "snare-garage-trash|snare-orchestral|snare-disco-thud|snare-marching-indoor|"
+                   "tom-10-fusion|tom-12-jazz-high|tom-12-rock-low|floor-tom-16-jazz|"
+                   "floor-tom-16-dead|bass-drum-18-bop|bass-drum-22-rock-punch|"
+                   "bass-drum-22-vintage|frame-drum-low",
                  .off = NAN,
                  .comment = "Turning it takes another drum, as a program change of MIDI does. A "
                             "drum that was changed or loaded stays until then."},

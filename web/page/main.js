@@ -446,15 +446,13 @@ async function load(file) {
 }
 
 function listPresets(engine) {
-  const list = (count, name, comment, category) =>
-    Array.from({ length: count }, (_, i) => ({
-      name: textAt(engine, name(i)), comment: textAt(engine, comment(i)), category: category(i),
-    }));
-  const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment, () => "kit");
-  const category = (i) => textAt(engine, engine.preset_category(i));
+  const list = (count, name, comment) =>
+    Array.from({ length: count }, (_, i) => ({ name: textAt(engine, name(i)), comment: textAt(engine, comment(i)) }));
+  const drums = list(engine.preset_count(), engine.preset_name, engine.preset_comment);
+  const kits = list(engine.kit_count(), engine.kit_name, engine.kit_comment);
   return [
-    ...list(engine.preset_count(), engine.preset_name, engine.preset_comment, category),
-    ...kits.map((kit) => ({ ...kit, name: listedKit(kit.name) })),
+    ...drums.map((drum, i) => ({ ...drum, category: textAt(engine, engine.preset_category(i)) })),
+    ...kits.map(({ name, comment }) => ({ name: listedKit(name), comment, category: "kit" })),
   ];
 }
 
@@ -470,12 +468,12 @@ function checkLink() {
 function fillPresets() {
   checkLink();
   const select = element("preset");
-  const groups = new Map();
+  const groups = {};
   for (const { name, category } of presets) {
-    if (!groups.has(category)) groups.set(category, Object.assign(document.createElement("optgroup"), { label: category }));
-    groups.get(category).append(new Option(kitOf(name) ?? name, name));
+    groups[category] ??= Object.assign(document.createElement("optgroup"), { label: category });
+    groups[category].append(new Option(kitOf(name) ?? name, name));
   }
-  select.append(...groups.values());
+  select.append(...Object.values(groups));
   const wanted = presets.some(({ name }) => name === link.get("drum"));
   select.value = wanted ? link.get("drum") : FIRST_DRUM;
   if (!wanted && link.has("drum")) {

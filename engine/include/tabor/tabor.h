@@ -666,7 +666,7 @@ TABOR_API TaborStatus tabor_text_read(const char *text, size_t size, TaborTextTa
                                       void *context, TaborError *error);
 /**
  * Reads a definition from the text of a preset file: what tabor_drum_def_set() makes of each key, after
- * tabor_drum_def_clear(). On an error @p def is unchanged: those of tabor_text_read(), tabor_drum_def_set() and
+ * tabor_drum_def_clear(), or after tabor_drum_def_preset() if the first key is `base` of [drum], a built-in preset's name. On an error @p def is unchanged: those of tabor_text_read(), tabor_drum_def_set() and
  * tabor_drum_def_section(). Rules that involve several fields are left to tabor_drum_def_validate().
  */
 TABOR_API TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, size_t size,

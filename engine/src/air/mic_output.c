@@ -41,6 +41,9 @@ static double high_push(TbView *view, TbSlot *slot, double force) {
   return wires_lie(view) ? 0.5 * (force + before) : force;
 }
 
+/* [N]; less is what a solve leaves over: on one machine nothing, on another, which does not flush denormals, not quite. */
+static const double LEAST_PUSH = 1e-9;
+
 /* Strikers push the batter head's modes; true if any does. */
 static bool strike_high(TbView *view) {
   bool struck = false;
@@ -53,7 +56,7 @@ static bool strike_high(TbView *view) {
     if (push == 0.0) continue;
     tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;
-    if (slot->kind != TB_SLOT_BRISTLES) view->state->high.struck = 1;
+    if (slot->kind != TB_SLOT_BRISTLES && fabs(push) > LEAST_PUSH) view->state->high.struck = 1;
   }
   return struck;
 }

@@ -439,7 +439,7 @@ static void check_definition(PluginHost *host, const char *name) {
   host_state_free(&saved);
 }
 
-static void check_preset(const LilvPlugin *plugin, LilvState *preset, uint32_t *seen) {
+static void check_preset(const LilvPlugin *plugin, LilvState *preset, uint64_t *seen) {
   const char *const binary =
     lilv_file_uri_parse(lilv_node_as_uri(lilv_plugin_get_library_uri(plugin)), NULL);
   PluginHost *const host = host_open(
@@ -450,7 +450,7 @@ static void check_preset(const LilvPlugin *plugin, LilvState *preset, uint32_t *
   assert_string_equal(host->said, "");
   check_definition(host, name);
   for (uint32_t i = 0; i < tabor_preset_count(); i++) {
-    if (strcmp(tabor_preset(i)->name, name) == 0) *seen |= 1u << i;
+    if (strcmp(tabor_preset(i)->name, name) == 0) *seen |= UINT64_C(1) << i;
   }
   host_close(host);
   lilv_free((void *)binary);
@@ -463,7 +463,7 @@ static void test_presets_are_the_built_in_ones(void **state) {
   for (size_t i = 0; i < PLUGINS; i++) {
     const LilvPlugin *const plugin = find_plugin(plugin_uris[i]);
     LilvNodes *const presets = lilv_plugin_get_related(plugin, class);
-    uint32_t seen = 0;
+    uint64_t seen = 0;
     assert_int_equal(lilv_nodes_size(presets), i < DRUMS ? tabor_preset_count() : 0);
     LILV_FOREACH(nodes, at, presets) {
       const LilvNode *const node = lilv_nodes_get(presets, at);
@@ -473,7 +473,7 @@ static void test_presets_are_the_built_in_ones(void **state) {
       check_preset(plugin, preset, &seen);
       lilv_state_free(preset);
     }
-    assert_int_equal(seen, i < DRUMS ? (1u << tabor_preset_count()) - 1 : 0);
+    assert_int_equal(seen, i < DRUMS ? (UINT64_C(1) << tabor_preset_count()) - 1 : 0);
     lilv_nodes_free(presets);
   }
   lilv_node_free(class);

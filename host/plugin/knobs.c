@@ -85,7 +85,7 @@ const Knob knobs[KNOB_COUNT] = {
                            .key = "striker.stick.contact_stiffness",
                            .group = "stick",
                            .kind = KNOB_REBUILD,
-                           RANGE(1e5, 1e9),
+                           RANGE(1e5, 1e12),
                            FROM_PRESET,
                            .scale = KNOB_IN_PER_CENT,
                            .comment = "How hard the tip of the drum's usual stick or mallet is."},

@@ -412,7 +412,9 @@ static void set_knob(const char *symbol, void *context, const void *value, uint3
     const KnobRange range = knob_range((KnobId)i, &usual);
     if (strcmp(knobs[i].symbol, symbol) != 0) continue;
     memcpy(&host->knobs[i], value, size);
-    assert_true(host->knobs[i] >= port_minimum(&range) && host->knobs[i] <= range.maximum);
+    if (!(host->knobs[i] >= port_minimum(&range) && host->knobs[i] <= range.maximum)) {
+      fail_msg("a preset sets %s = %g", symbol, (double)host->knobs[i]);
+    }
     return;
   }
   fail_msg("a preset sets '%s', which is no knob", symbol);

@@ -8,6 +8,7 @@
 #include "definition/def_text.h"
 #include "definition/definition.h"
 #include "definition/error.h"
+#include "definition/preset.h"
 #include "definition/text_write.h"
 
 /* ---- reading --------------------------------------------------------------------------------- */
@@ -56,6 +57,15 @@ TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, size_t size
   const TaborStatus status = tabor_text_read(text, size, take_line, &reading, error);
   if (status == TABOR_OK) *def = reading.def;
   return status;
+}
+
+/* A built-in preset is such a text, and a text may begin with one. */
+TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
+  if (!def) return tb_error_null(error, "definition");
+  if (!name) return tb_error_null(error, "preset's name");
+  const TbPreset *const preset = tb_preset_find(tb_presets, tb_preset_count, "preset", name, error);
+  if (!preset) return TABOR_ERROR_NAME;
+  return tabor_drum_def_read(def, preset->text, preset->size, error);
 }
 
 /* ---- writing --------------------------------------------------------------------------------- */

@@ -32,11 +32,3 @@ const TbPreset *tb_preset_find(const TbPreset *table, uint32_t count, const char
                      name, *nearest ? "; did you mean '" : "", nearest, *nearest ? "'?" : "");
   return NULL;
 }
-
-TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error) {
-  if (!def) return tb_error_null(error, "definition");
-  if (!name) return tb_error_null(error, "preset's name");
-  const TbPreset *const preset = tb_preset_find(tb_presets, tb_preset_count, "preset", name, error);
-  if (!preset) return TABOR_ERROR_NAME;
-  return tabor_drum_def_read(def, preset->text, preset->size, error);
-}

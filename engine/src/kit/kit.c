@@ -151,7 +151,8 @@ static void hear(const TaborKit *kit, uint32_t from, const TbKitVoice *by, uint3
 static const float *listen(const TaborKit *kit, uint32_t drum, uint32_t frames) {
   TbKitVoice *const voice = &kit->voices[drum];
   bool hears = false;
-  for (uint32_t i = 0; !kit->muffled && i < kit->def.drum_count; i++) {
+  const bool deaf = kit->muffled || voice->gone;
+  for (uint32_t i = 0; !deaf && i < kit->def.drum_count; i++) {
     if (i == drum || kit->voices[i].quiet >= kit->ring) continue;
     if (!hears) memset(voice->heard, 0, frames * sizeof(float));
     hear(kit, i, voice, frames, voice->heard);
@@ -346,6 +347,7 @@ void tabor_kit_reset(TaborKit *kit) {
     tabor_drum_reset(voice->drum);
     memset(voice->said, 0, kit->ring * sizeof *voice->said);
     voice->quiet = kit->ring;
+    voice->gone = false;
     voice->passed[0] = voice->passed[1] = 0.0;
   }
   kit->muffled = false;

@@ -36,10 +36,11 @@ typedef struct TbKitVoice {
   uint32_t choke;    /* group, or 0 */
   uint32_t delay[TABOR_KIT_DRUMS];  /* of each other drum's sound [frames] */
   double strength[TABOR_KIT_DRUMS]; /* factor on it */
-  float *said;                      /* [ring] pressure at its microphone of the air, by frames */
-  double passed[2];                 /* memory of the low-pass on it */
-  uint32_t quiet;                   /* frames since it was not 0, up to the ring's length */
-  uint8_t before;                   /* drum of the kit that is followed, or TABOR_KIT_NEW */
+  bool gone;        /* until a reset: its drum goes on in another kit, and hears there */
+  float *said;      /* [ring] pressure at its microphone of the air, by frames */
+  double passed[2]; /* memory of the low-pass on it */
+  uint32_t quiet;   /* frames since it was not 0, up to the ring's length */
+  uint8_t before;   /* drum of the kit that is followed, or TABOR_KIT_NEW */
   /* Of the drum, or NULL: with which it goes on, then those of before that still sound (drum/tails.h: four). */
   TaborSwap *swaps[TB_KIT_SWAPS];
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];

@@ -96,6 +96,7 @@ static void take_drum(TaborKit *kit, uint32_t drum, TaborKit *from) {
   TbKitVoice *const voice = &kit->voices[drum], *const other = &from->voices[voice->before];
   TaborDrum *const rings = other->drum;
   other->drum = voice->drum;
+  other->gone = true;
   voice->drum = rings;
   take_sound(kit, voice, from, other);
   take_swaps(voice, other);

@@ -205,10 +205,10 @@ def treble_flatness(sound):
 # ---- lines ---------------------------------------------------------------------------------------
 
 
-def hann_spectrum(sound, start, end):
-    """Frequencies, and the power spectrum of a piece of the sound [s] under a Hann window."""
+def hann_spectrum(sound, start, end, padded=True):
+    """Frequencies, and the power spectrum of a piece of the sound [s] under a Hann window, padded to a power of two."""
     piece = sound[int(start * RATE):int(end * RATE)]
-    size = 1 << (piece.size - 1).bit_length()
+    size = 1 << (piece.size - 1).bit_length() if padded else piece.size
     window = signal.windows.hann(piece.size)
     return np.fft.rfftfreq(size, 1.0 / RATE), np.abs(np.fft.rfft(piece * window, size)) ** 2
 
@@ -228,9 +228,7 @@ def line_excess(frequency, power, low, high, flat):
 def component_count(sound):
     """How many lines of equal power make up the critical band around COMPONENTS (Glasberg, Moore 1990): (sum P)^2/sum P^2
     of its spectrum. Noise has half the number of the window's own lines in it, here 54."""
-    frequency = np.fft.rfftfreq(int(LATE_LINES[1] * RATE) - int(LATE_LINES[0] * RATE), 1.0 / RATE)
-    piece = sound[int(LATE_LINES[0] * RATE):int(LATE_LINES[1] * RATE)]
-    power = np.abs(np.fft.rfft(piece * signal.windows.hann(piece.size))) ** 2
+    frequency, power = hann_spectrum(sound, *LATE_LINES, padded=False)
     width = 24.7 * (4.37e-3 * COMPONENTS + 1.0)
     power = power[np.abs(frequency - COMPONENTS) < 0.5 * width]
     return power.sum() ** 2 / (power ** 2).sum()

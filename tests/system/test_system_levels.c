@@ -89,9 +89,10 @@ static int measure(void **state) {
 /* What NEWS.md says of the default stroke [dBFS]. On the soft head of a bass drum, which stretches, strokes grow by more
  * than their speed, and the hardest ones leave less room. */
 static double least_peak(const char *name) {
+  if (strcmp(name, "bass-drum-22") == 0) return -16.1;
   if (strncmp(name, "bass-drum-22", 12) == 0) return -16.2;
   if (strcmp(name, "tom-12-rock-low") == 0) return -13.2; /* likewise */
-  if (strcmp(name, "bass-drum-18") == 0) return -13.3;
+  if (strcmp(name, "bass-drum-18") == 0) return -13.2;
   return -12.1;
 }
 

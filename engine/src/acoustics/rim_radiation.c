@@ -200,12 +200,17 @@ static void add_wall(const TaborDrumDef *def, double edge, TbHeadMode *mode) {
 
 static void add_hoop(const TaborDrumDef *def, double hoop, TbHeadMode *mode) {
   const double radius = def->shell.radius, width = def->hoop.width, wall = def->hoop.wall;
-  const double up =
-    tb_strip_resistance(TB_STRIP_UP, mode->m, mode->omega, &def->air, radius, width);
-  const double out =
-    tb_strip_resistance(TB_STRIP_OUT, mode->m, mode->omega, &def->air, radius, wall);
-  if (width > 0.0) add_part(def, hoop, up, hoop_width_at, mode);
-  if (wall > 0.0) add_part(def, hoop * tb_hoop_lean(def, mode->m), out, hoop_wall_at, mode);
+  if (width > 0.0) {
+    const double up =
+      tb_strip_resistance(TB_STRIP_UP, mode->m, mode->omega, &def->air, radius, width);
+    add_part(def, hoop, up, hoop_width_at, mode);
+  }
+  const double lean = tb_hoop_lean(def, mode->m);
+  if (wall > 0.0 && lean != 0.0) {
+    const double out =
+      tb_strip_resistance(TB_STRIP_OUT, mode->m, mode->omega, &def->air, radius, wall);
+    add_part(def, hoop * lean, out, hoop_wall_at, mode);
+  }
 }
 
 void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,

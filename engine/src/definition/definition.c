@@ -4,6 +4,7 @@
 #include "definition/def_text.h"
 #include "definition/def_value.h"
 #include "definition/error.h"
+#include "math/draw.h"
 
 #include <assert.h>
 #include <math.h>
@@ -310,12 +311,8 @@ int tb_strike_striker(const TaborDrumDef *def) {
 }
 
 double tb_deviate(uint32_t seed, uint32_t index) {
-  /* The finaliser of SplitMix64 (Steele, Lea, Flood 2014): every bit depends on every bit. */
-  uint64_t z = ((uint64_t)seed << 32 | index) + 0x9E3779B97F4A7C15u;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  z ^= z >> 31;
-  const double whole = (double)(z >> 12); /* 52 bits: 2 whole + 1 below is exact */
+  const uint64_t bits = tb_draw_bits((uint64_t)seed << 32 | index, 0);
+  const double whole = (double)(bits >> 12); /* 52 bits: 2 whole + 1 below is exact */
   return (2 * whole + 1) * 0x1p-52 - 1;
 }
 

@@ -549,10 +549,11 @@ static void a_reset_of_one_drum_leaves_the_air_as_it_is(void **state) {
   static const char *const PRESETS[] = {"tom-12", "snare-14x5.5"};
   TaborKitDef *def = kit_of(2, PRESETS);
   set(def, "drum.d1.wake", "0");
+  set(def, "drum.d1.wires.strainer", "0"); /* wires that touch rattle twice alike only from rest */
   TaborKit *kit = new_kit(def);
   const double plain = work_after(kit, def, false), after = work_after(kit, def, true);
   print_message("work of three strokes %.3g J, after a reset %.3g J\n", plain, after);
-  assert_true(plain > 0.0 && fabs(after / plain - 1.0) < 0.01);
+  assert_true(plain > 0.0 && fabs(after / plain - 1.0) < 1e-6);
   assert_false(kit->muffled);
   tabor_kit_destroy(kit);
   free(def);

@@ -95,6 +95,10 @@ void kit_midi_rest(KitMidi *midi) {
   }
 }
 
+void kit_midi_humanize(const KitMidi *midi, Humanizer *humanizer, TaborKitEvent *event) {
+  if (event->drum < midi->count) humanize(humanizer, midi->head_radius[event->drum], &event->event);
+}
+
 uint64_t kit_midi_unknown(const KitMidi *midi) {
   uint64_t sum = 0;
   for (int note = 0; note < MIDI_VALUES; note++) sum += midi->unknown[note];

@@ -15,6 +15,7 @@
 
 #include "midi/kit_map.h"
 #include "midi/midi_to_events.h"
+#include "strokes/humanize.h"
 
 #define KIT_MIDI_NOBODY 0xff
 #define KIT_MIDI_NOWHERE (UINT32_MAX - 2u)                         /**< no address of an event */
@@ -55,6 +56,8 @@ void kit_midi_rest(KitMidi *midi) REALTIME;
  * TABOR_KIT_NOTE and the note of General MIDI. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
+/** AUDIO. Scatters @p event if it is a stroke on a drum. */
+void kit_midi_humanize(const KitMidi *midi, Humanizer *humanizer, TaborKitEvent *event) REALTIME;
 /** Where the events of a note go: a drum, or the sound of a note; KIT_MIDI_NOWHERE if it plays nothing. */
 uint32_t kit_midi_address(const KitMidi *midi, uint8_t note) REALTIME;
 /** Number of strokes on notes that play no drum. */

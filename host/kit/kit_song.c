@@ -28,8 +28,7 @@ static bool take_messages(const MidiFile *file, const MidiPlace *places, KitMidi
     const uint32_t count = kit_midi_take(midi, &file->events[places[i].index].message, events);
     for (uint32_t k = 0; k < count; k++) {
       events[k].event.frame = places[i].frame;
-      if (events[k].drum >= midi->count) continue; /* a sample */
-      humanize(humanizer, midi->head_radius[events[k].drum], &events[k].event);
+      kit_midi_humanize(midi, humanizer, &events[k]);
     }
     song->count += count;
     if (count > 0) song->last_frame = places[i].frame;

@@ -16,7 +16,6 @@
 #include "strokes/humanize_options.h"
 
 #define MOST_SAMPLER_CHANNELS 2
-#define DEFAULT_HUMANIZE 0.3 /* where there are takes to differ */
 
 const Option library_options[] = {
   {"output", 'o', "FOLDER", "where the library goes; created if need be"},
@@ -26,7 +25,7 @@ const Option library_options[] = {
   {"takes", 0, "N", "round robins, 1 to 32: strokes that differ by --humanize (default 4)"},
   {"techniques", 0, "LIST",
    "of normal, rimshot, cross-stick, rim and buzz, as normal,buzz (default normal)"},
-  OPTION_HUMANIZE("0.3, of one take 0"),
+  OPTION_HUMANIZE(HUMANIZE_LIVE_TEXT ", of one take 0"),
   OPTION_SEED,
   OPTION_VELOCITY_CURVE,
   OPTION_VELOCITY_RANGE,
@@ -75,7 +74,7 @@ static Outcome check_count(const LibraryShape *shape) {
 
 static Outcome read_scatter(const Arguments *arguments, LibraryRequest *request,
                             LibraryShape *shape) {
-  const double fallback = shape->takes > 1 ? DEFAULT_HUMANIZE : 0;
+  const double fallback = shape->takes > 1 ? HUMANIZE_LIVE : 0;
   const Outcome outcome = humanize_read(arguments, fallback, &shape->humanizer);
   request->seed = (uint32_t)shape->humanizer.state;
   if (outcome != OUTCOME_OK || shape->takes == 1 || shape->humanizer.amount > 0) return outcome;

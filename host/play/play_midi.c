@@ -121,10 +121,9 @@ static void take_for_kit(PlayMidi *midi, const MidiMessage *message, double time
   const uint32_t count = kit_midi_take(kit, message, events);
   atomic_store(&midi->ignored, kit_midi_unknown(kit));
   for (uint32_t i = 0; i < count; i++) {
+    kit_midi_humanize(kit, &midi->humanizer, &events[i]);
     PlayerMessage sent = player_message_from_kit(&events[i]);
     sent.frame = player_frame_at(midi->player, time);
-    if (sent.drum < kit->count)
-      humanize(&midi->humanizer, kit->head_radius[sent.drum], &sent.event);
     (void)player_send(midi->player, SOURCE_MIDI, &sent); /* counts what it drops */
   }
 }

@@ -16,8 +16,6 @@
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
 
-#define DEFAULT_HUMANIZE 0.3
-
 const Option play_options[] = {
   {"backend", 0, "NAME", "portaudio, null or file (default portaudio; null is not heard)"},
   {"device", 0, "NAME", "output as 'tabor devices' lists it (default: the system's)"},
@@ -42,7 +40,7 @@ const Option play_options[] = {
   OPTION_MIDI_CHANNEL,
   OPTION_VELOCITY_CURVE,
   OPTION_VELOCITY_RANGE,
-  OPTION_HUMANIZE("0.3"),
+  OPTION_HUMANIZE(HUMANIZE_LIVE_TEXT),
   OPTION_SEED,
   {"keys", 0, "FILE", "what the keys of the keyboard do; see docs/keyboard.md"},
   {"mic", 0, "NAME",
@@ -68,7 +66,7 @@ static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
   Outcome outcome = arguments_number(arguments, &gain, &gain_db);
   if (outcome == OUTCOME_OK) outcome = arguments_number(arguments, &duration, &request->duration);
   if (outcome == OUTCOME_OK) {
-    outcome = humanize_read(arguments, DEFAULT_HUMANIZE, &request->humanizer);
+    outcome = humanize_read(arguments, HUMANIZE_LIVE, &request->humanizer);
   }
   request->gain = pow(10, gain_db / 20);
   return outcome;

@@ -96,6 +96,7 @@ const Knob kit_knobs[KIT_KNOB_COUNT] = {
   TUNE(6),
   TUNE(7),
   TUNE(8),
+  [KIT_KNOB_HUMANIZE] = KNOB_OF_HUMANIZE("kit"),
 };
 
 const KnobGroup kit_knob_groups[KIT_KNOB_GROUPS] = {
@@ -113,9 +114,14 @@ const KnobPage kit_knob_pages[KIT_KNOB_PAGES] = {
   {0,
    "Kit",
    "Kit",
-   8,
+   6,
    {KIT_KNOB_KIT, KIT_KNOB_ROOM, KIT_KNOB_COUPLING, KIT_KNOB_OVERHEADS, KIT_KNOB_GAIN,
-    KIT_KNOB_NOTES, KIT_KNOB_VELOCITY_CURVE, KIT_KNOB_QUALITY}},
+    KIT_KNOB_QUALITY}},
+  {3,
+   "Kit",
+   "Notes",
+   4,
+   {KIT_KNOB_NOTES, KIT_KNOB_VELOCITY_CURVE, KIT_KNOB_VELOCITY_RANGE, KIT_KNOB_HUMANIZE}},
 };
 
 KnobRange kit_knob_range(KitKnobId id) {

@@ -26,10 +26,11 @@ typedef enum KitKnobId {
   KIT_KNOB_GAIN,
   KIT_KNOB_LEVEL,                                  /**< of the first drum; the others follow */
   KIT_KNOB_TUNE = KIT_KNOB_LEVEL + KIT_KNOB_DRUMS, /**< likewise */
-  KIT_KNOB_COUNT = KIT_KNOB_TUNE + KIT_KNOB_DRUMS
+  KIT_KNOB_HUMANIZE = KIT_KNOB_TUNE + KIT_KNOB_DRUMS,
+  KIT_KNOB_COUNT
 } KitKnobId;
 
-enum { KIT_KNOB_GROUPS = 3, KIT_KNOB_PAGES = 3 };
+enum { KIT_KNOB_GROUPS = 3, KIT_KNOB_PAGES = 4 };
 
 extern const Knob kit_knobs[KIT_KNOB_COUNT];
 extern const KnobGroup kit_knob_groups[KIT_KNOB_GROUPS];

@@ -14,6 +14,7 @@ void kit_plugin_player_begin(KitPluginPlayer *player, KitWorker *worker) {
   player->fade_frames = (uint32_t)ceil(FADE * worker->builder.options.sample_rate);
   for (uint32_t i = 0; i < KIT_KNOB_COUNT; i++) player->values[i] = (float)kit_knobs[i].fallback;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
+  player->humanizer = humanizer(kit_knobs[KIT_KNOB_HUMANIZE].fallback, HUMANIZE_SEED);
 }
 
 void kit_plugin_player_end(KitPluginPlayer *player) {
@@ -105,7 +106,9 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
   if (player->values[id] == value) return;
   player->values[id] = value;
   if (kit_knobs[id].kind != KNOB_SETTING) return;
-  if (id == KIT_KNOB_VELOCITY_CURVE || id == KIT_KNOB_VELOCITY_RANGE) {
+  if (id == KIT_KNOB_HUMANIZE) {
+    player->humanizer.amount = knob_decimal(value);
+  } else if (id == KIT_KNOB_VELOCITY_CURVE || id == KIT_KNOB_VELOCITY_RANGE) {
     set_response(player);
   } else if (id == KIT_KNOB_COUPLING || id == KIT_KNOB_OVERHEADS) {
     set_value(player, id);
@@ -120,8 +123,10 @@ void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) 
 void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message, uint32_t frame) {
   TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   if (!player->now) return;
-  const uint32_t count = kit_midi_take(&player->now->midi, message, events);
+  KitMidi *const midi = &player->now->midi;
+  const uint32_t count = kit_midi_take(midi, message, events);
   for (uint32_t i = 0; i < count; i++) {
+    kit_midi_humanize(midi, &player->humanizer, &events[i]);
     if (events[i].event.type == TABOR_EVENT_GAIN) {
       player->midi_gain[events[i].drum] = events[i].event.value;
       set_gain(player, events[i].drum, frame);
@@ -409,6 +414,7 @@ bool kit_plugin_player_is_silent(const KitPluginPlayer *player) {
 void kit_plugin_player_rest(KitPluginPlayer *player) {
   kit_plugin_player_end_leaving(player);
   player->at = player->event_count = 0;
+  player->humanizer.state = HUMANIZE_SEED;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) player->midi_gain[i] = 1;
   if (!player->now) return;
   tabor_kit_reset(player->now->kit);

@@ -27,6 +27,7 @@ typedef struct KitPluginPlayer {
   bool has_asked;                    /**< a request was answered or is under way */
   bool exports;                      /**< the host renders, and waits for kits */
   double midi_gain[TABOR_KIT_DRUMS]; /**< by controllers, factor */
+  Humanizer humanizer;
   TaborKitEvent events[KIT_PLUGIN_EVENTS];
   uint32_t event_count;
   float struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke since it was asked for [m/s] */

@@ -12,6 +12,7 @@
 #include <stdint.h>
 
 #include "base/realtime.h"
+#include "strokes/humanize.h"
 
 /** How a knob takes effect. */
 typedef enum KnobKind {
@@ -52,6 +53,16 @@ typedef struct Knob {
   KnobScale scale;
   const char *comment;
 } Knob;
+
+/** The row of the scatter of strokes, in a group. */
+#define KNOB_OF_HUMANIZE(its_group)                                                                \
+  {                                                                                                \
+    .symbol = "humanize", .name = "Humanize", .group = (its_group), .kind = KNOB_SETTING,          \
+    .minimum = 0, .maximum = 1, .fallback = HUMANIZE_LIVE, .unit = "", .scale = KNOB_IN_PER_CENT,  \
+    .off = NAN,                                                                                    \
+    .comment = "Scatters the place of strokes by up to 15 mm and their speed by up to 6 %, times " \
+               "this. The same notes are scattered alike each time."                               \
+  }
 
 /** Range, default and unit of a knob's port. */
 typedef struct KnobRange {

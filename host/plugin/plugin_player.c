@@ -7,8 +7,6 @@
 
 #include "drums/stereo_pair.h"
 
-#define HUMANIZE_SEED 1
-
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
 static bool bind_presets(PluginPlayer *player) {

@@ -38,7 +38,7 @@ def write_song(name, song):
 def rendered(song):
     """What the program makes of the song, a row for each channel."""
     write_song("wanted.mid", song)
-    subprocess.run([program, "render", "--midi-file", "wanted.mid", "--rate", str(RATE), "--duration", str(SECONDS),
+    subprocess.run([program, "render", "--humanize", "0.5", "--midi-file", "wanted.mid", "--rate", str(RATE), "--duration", str(SECONDS),
                     "--format", "float", "-q", "-o", "wanted.wav", "--stereo"], check=True)
     with AudioFile("wanted.wav") as file:
         return file.read(file.frames)

@@ -16,6 +16,7 @@
 #include <cmocka.h>
 
 #include "midi_writer.h"
+#include "strokes/humanize.h"
 
 static const char *program;
 static bool brief;
@@ -415,14 +416,20 @@ void take_read(const char *path, Take *take) {
   sf_close(file);
 }
 
+/* What plugins and play do unless they are told otherwise, and render does not. */
+static const char *scatter_of(const char *command_name, const char *options) {
+  const bool is_asked = strncmp(command_name, "render", 6) == 0 && !strstr(options, "--humanize");
+  return is_asked ? " --humanize " HUMANIZE_LIVE_TEXT : "";
+}
+
 /* As the program has it, by one of these commands. */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take) {
   char command[1024], path[256];
-  size_t length =
-    (size_t)snprintf(command, sizeof command,
-                     "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
-                     "--format float --duration %s %s",
-                     program, command_name, folder, folder, brief ? "0.5" : "1", options);
+  size_t length = (size_t)snprintf(command, sizeof command,
+                                   "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
+                                   "--format float --duration %s %s%s",
+                                   program, command_name, folder, folder, brief ? "0.5" : "1",
+                                   options, scatter_of(command_name, options));
   const bool chosen = strstr(options, "--stereo") || strstr(options, "--kit");
   for (uint32_t i = 0; i < take->channels && !chosen; i++) {
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);

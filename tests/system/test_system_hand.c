@@ -77,14 +77,14 @@ static void a_released_stick_is_gone_and_the_drum_falls_silent(void **state) {
   assert_false(isnan(probe.striker));
   /* The hand lifts it: the head that it bent comes up with it, and does not snap back. */
   double last = probe.head, fastest = 0.0;
-  for (int i = 0; i < 1440; i++) {
+  for (int i = 0; i < 2880; i++) {
     tabor_drum_process(drum, &release, i == 0, NULL, 1);
     tabor_drum_probe(drum, &probe);
     fastest = fmax(fastest, fabs(probe.head - last) * RATE);
     last = probe.head;
   }
   print_message("lifted, the head moves at %.2g m/s at most\n", fastest);
-  assert_true(fastest < 0.4); /* 1.8 where the stick vanished */
+  assert_true(fastest < 0.1); /* 1.8 where the stick vanished, 0.4 where it was lifted in 8 ms */
   assert_true(isnan(probe.striker));
   for (int i = 0; i < 40 && !tabor_drum_is_silent(drum); i++) {
     tabor_drum_process(drum, NULL, 0, NULL, 9600);
@@ -214,6 +214,36 @@ static void a_buzz_is_a_stroke_that_is_pressed(void **state) {
     tabor_model_release(model);
   }
   assert_memory_equal(sound[0], sound[1], sizeof sound[0]);
+}
+
+/* What the lift of the hardest press adds to the sound is 30 dB below the stroke: 20 where it took 8 ms, and was heard as a
+ * stroke. */
+static void a_stick_is_lifted_without_a_second_stroke(void **state) {
+  (void)state;
+  enum { LIFTED = 19200, FRAMES = 28800 };
+  static float sound[2][FRAMES];
+  const TaborDrumDef def = physics_preset("snare-14x5.5-off");
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  const TaborEvent events[2] = {{.type = TABOR_EVENT_STRIKE,
+                                 .technique = TABOR_TECHNIQUE_BUZZ,
+                                 .id = 1,
+                                 .velocity = 2.0,
+                                 .value = 1.0},
+                                {.type = TABOR_EVENT_RELEASE, .id = 1, .frame = LIFTED}};
+  for (uint32_t lifts = 0; lifts < 2; lifts++) {
+    TaborDrum *drum = physics_drum(model);
+    float *outputs[TABOR_MAX_MICS] = {sound[lifts]};
+    tabor_drum_process(drum, events, 1 + lifts, outputs, FRAMES);
+    tabor_drum_destroy(drum);
+  }
+  double stroke = 0.0, lift = 0.0;
+  for (int i = 0; i < FRAMES; i++) {
+    stroke = fmax(stroke, fabs((double)sound[0][i]));
+    lift = fmax(lift, fabs((double)sound[1][i] - (double)sound[0][i]));
+  }
+  print_message("lifted, %.1f dB below the stroke\n", 20.0 * log10(lift / stroke));
+  assert_true(lift > 0.0 && lift < stroke * pow(10.0, -30.0 / 20.0));
+  tabor_model_release(model);
 }
 
 /* A rod of 0.4 m: held at its middle 1/3 of it counts at the tip, at a third from its end a quarter. */
@@ -366,6 +396,7 @@ int main(void) {
     cmocka_unit_test(bounces_come_closer_and_closer_with_grip),
     cmocka_unit_test(without_grip_the_stick_rebounds_as_if_it_were_free),
     cmocka_unit_test(a_buzz_is_a_stroke_that_is_pressed),
+    cmocka_unit_test(a_stick_is_lifted_without_a_second_stroke),
     cmocka_unit_test(where_the_stick_is_held_decides_what_it_weighs),
     cmocka_unit_test(changes_while_it_bounces_are_accounted_for_at_every_cap),
     cmocka_unit_test(blocks_saves_and_resets_keep_every_bit),

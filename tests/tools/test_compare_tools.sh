@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# tools/docs/compare-synthesizers, tools/docs/compare-qualities and tools/docs/compare-reference: what they measure
+# tools/compare-takes, tools/docs/compare-synthesizers, tools/docs/compare-qualities and tools/docs/compare-reference: what they measure
 # of sounds that are known, what they write, and what they say of a program that is not there.
 #
 # test_compare_tools.sh SOURCE-FOLDER
@@ -11,8 +11,20 @@
 . "$(dirname "$0")/../support/host_checks.sh"
 tools=$1/tools
 
-python=$(find_python numpy,scipy,matplotlib) ||
-  skip "needs python3 python3-numpy python3-scipy python3-matplotlib"
+python=$(find_python numpy,scipy,matplotlib,soundfile) ||
+  skip "needs python3 python3-numpy python3-scipy python3-matplotlib python3-soundfile"
+
+# Takes of live play differ as recorded ones do; those that nothing scatters do not, and other parameters are heard.
+takes() {
+  "$python" "$tools/compare-takes" --program "$TABOR" "$@" >"$out" 2>"$err"
+  status=$?
+}
+takes --check
+same "takes differ as recorded ones do: $(cat "$out" "$err")" "0 5" "$status $(wc -l <"$out")"
+takes --check --humanize 0 --takes 2 tom-12
+same "takes that are all the same" "1 tom-12: takes differ by 0.00 dB" "$status $(cat "$out")"
+takes --humanize 0 --takes 1 --against quality.losses=1 tom-12
+same "the same parameters" "0 tom-12: +0.0 dB from 0 to 50 ms, +0.0 dB from 50 to 200 ms, 60 dB times +0 ms" "$status $(cat "$out")"
 
 # Two decaying sines, one an octave above the other, and a push of 5 ms that comes back later.
 check "facts of known sounds" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH="$tools:$tools/docs" "$python" - "$tools" <<'PYTHON'

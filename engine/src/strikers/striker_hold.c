@@ -5,8 +5,9 @@
 #include "math/portable_math.h"
 #include "strikers/stick.h"
 
-const double tb_hold_lift_time = 0.008; /* in it a hand lets go and pulls [s], */
-static const double LIFT = 2.0;         /* ... this hard in the end: 5 mm in as long again [N] */
+const double tb_hold_lift_time =
+  0.03; /* in it a hand lets go and pulls [s]: faster, the head would spring back like a plucked one, */
+static const double LIFT = 0.5; /* ... this hard in the end: 5 mm in 16 ms [N] */
 
 /* What a hand does where it presses a stick: at its tip, or at the shaft of one that lies across the drum. */
 typedef struct Hand {
@@ -86,11 +87,14 @@ void tb_hold_lift(TbView *view, uint32_t slot) {
   tb_slot(view, tb_slot_other_end(view, slot))->id = 0;
 }
 
+/* What is left of a force at the part `u` of the time in which it goes: from 1 to 0 without a kink, which would sound. */
+static double left_at(double u) { return u < 1.0 ? (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) : 0.0; }
+
 void tb_hold_pull_up(const TbView *view, uint32_t slot) {
   TbHold *hold = &tb_slot(view, slot)->hold;
-  const double whole = tb_hold_lift_time * view->model->step_rate, left = whole - hold->leaving;
-  if (left <= 0.0) return;
-  hold->leaving++;
-  hold->press *= left > 1.0 ? 1.0 - 1.0 / left : 0.0;
-  hold->push = left > 1.0 ? -LIFT * hold->leaving / whole : -LIFT;
+  const double whole = tb_hold_lift_time * view->model->step_rate;
+  if (hold->leaving >= whole) return;
+  const double before = left_at(hold->leaving / whole), left = left_at(++hold->leaving / whole);
+  hold->press *= left / before;
+  hold->push = LIFT * (left - 1.0);
 }

@@ -2,7 +2,7 @@
 /* The hand that presses a striker. Audio-safe. The striker moves as M z_tt = f - 2 g (F0 + kh (z - z0) + ch z_t), with the
  * damper centred, g the grip, and z0 the height at which the hand took hold. It bounces, and stays
  * until it is released or leaps 0.2 m off, out of the hand. A striker released on the head is
- * lifted: within 8 ms the force F0 becomes a pull of 2 N. The work of force and spring is injected
+ * lifted: within 30 ms the force F0 becomes a pull of 0.5 N. The work of force and spring is injected
  * energy; the damper's is lost. g = 0 is a free rebound. A hand holds one stick: a stroke removes
  * the pressed stick with its id. Held at a distance p from its butt, a rod of length L and mass m
  * weighs m (1/12 + (1/2 - p/L)^2)/(1 - p/L)^2 at its tip. */

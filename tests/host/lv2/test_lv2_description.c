@@ -176,7 +176,7 @@ static void test_symbols_do_not_change(void **state) {
                                     "level_3",     "level_4",    "level_5",        "level_6",
                                     "level_7",     "level_8",    "tune_1",         "tune_2",
                                     "tune_3",      "tune_4",     "tune_5",         "tune_6",
-                                    "tune_7",      "tune_8"};
+                                    "tune_7",      "tune_8",     "humanize"};
   check_symbols(URI_DRUM, stereo, sizeof stereo / sizeof stereo[0]);
   check_symbols(URI_DRUM_MULTI, multi, sizeof multi / sizeof multi[0]);
   static const char *const effect[] = {"events",

@@ -194,7 +194,7 @@ static PluginHost *open_own_kit(void) {
 /* Whatever stands in the file: by render, by the file backend of play, and here. */
 static void random_kits_are_those_of_render(void **state) {
   (void)state;
-  static const char performed[] = "play --backend file --humanize 0 --record";
+  static const char performed[] = "play --backend file --record";
   char path[256], options[300], softer[320];
   Take expected, played, soft, take;
   take_open(&expected, 2);

@@ -28,8 +28,7 @@ static unsigned random_songs = 2;
 
 /* ---- both ways ------------------------------------------------------------------------------ */
 
-static const char rendered[] = "render -o",
-                  performed[] = "play --backend file --humanize 0 --record";
+static const char rendered[] = "render -o", performed[] = "play --backend file --record";
 
 static void play(PluginHost *host, uint32_t block, Take *take) {
   host->freewheel = 1;

@@ -145,9 +145,8 @@ COUNTED(two_step, n, (uint32_t n, Out out, In a, In x, In b, In y), (n, out, a, 
 COUNTED(stretch, modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
 COUNTED_RESULT(TbPair, stretch_dots, modes_of(parts),
                (const TbParts *parts, const double *const pull[2], In x), (parts, pull, x))
-COUNTED(step_and_stretch, s->modes + modes_of(parts), (const TbParts *parts, TbStretching *s),
-        (parts, s))
-COUNTED(end_modes, 3ull * end->modes, (const TbParts *parts, TbModesEnd *end), (parts, end))
+COUNTED(step_and_stretch, 2 * modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
+COUNTED(end_modes, 3ull * modes_of(parts), (const TbParts *parts, TbModesEnd *end), (parts, end))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED(losses, n,
         (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),

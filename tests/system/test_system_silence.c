@@ -146,7 +146,8 @@ static void live_values_go_on(void **state) {
   (void)state;
   static Sound still, again, off;
   TaborDrumDef def = preset("snare-14x5.5");
-  def.batter.unevenness = def.resonant.unevenness = 0.0; /* a drum that is awake goes on scattering */
+  def.batter.unevenness = def.resonant.unevenness =
+    0.0; /* a drum that is awake goes on scattering */
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
   TaborDrum *drum = physics_drum(model), *other = physics_drum(model);
   const TaborEvent strike = physics_strike(&def);

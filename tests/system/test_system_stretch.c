@@ -134,6 +134,7 @@ static void the_matrix_is_the_integral_of_the_slopes(void **state) {
     const double slopes = slope_integral(model, model->stretch.head[h], view.now.q);
     expected += 0.25 * model->stretch.factor[h] * slopes * slopes;
   }
+  drum->state->stretches = 1;
   const double stored = tb_stretch_energy(&view, view.next.q, view.now.q);
   print_message("stored %.6g J, by quadrature %.6g J\n", stored, expected);
   assert_true(fabs(stored / expected - 1.0) < 2e-3);
@@ -443,7 +444,7 @@ static void drive_linear_head(const char *preset, double pressure) {
 static void air_stretches_a_linear_head(void **state) {
   (void)state;
   drive_linear_head("tom-12", 200.0);
-  drive_linear_head("bass-drum-22", 9.5);
+  drive_linear_head("bass-drum-22", 28.0);
 }
 
 int main(int argc, char **argv) {

@@ -316,6 +316,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   state->asleep = from->state->asleep;
   state->quiet_checks = from->state->quiet_checks;
   state->hushed = from->state->hushed;
+  state->stretches = from->state->stretches;
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);
   carry_live(from, to, ratio);

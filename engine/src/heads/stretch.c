@@ -91,8 +91,8 @@ static double square_of(const TbView *view, uint32_t h, const double *next, cons
 
 /* ---- whether heads stretch ------------------------------------------------------------------ */
 
-/* 114 dB. Less lifts a head by 0.03 mm between two looks of has_risen(), which is about what `least` is. */
-static const double LOUD_AIR = 10.0; /* [Pa] */
+/* 124 dB. Less lifts a head by 0.1 mm between two looks of has_risen(), which is about what `least` is. */
+static const double LOUD_AIR = 30.0; /* [Pa] */
 
 /* A stick, or loud sound from outside, raises the tension within a few steps. */
 static bool is_driven(const TbView *view) {
@@ -125,6 +125,31 @@ static uint32_t count_stretching(const TbView *view) {
   return state->unstretched < stretch->hold ? stretch->count : 0;
 }
 
+static double energy_of(const TbView *view, const double *next, const double *now) {
+  const TbStretch *stretch = &view->model->stretch;
+  double sum = 0.0;
+  mix(view, now);
+  for (uint32_t h = 0; h < stretch->count; h++) {
+    const double square = square_of(view, h, next, now);
+    sum += 0.25 * stretch->factor[h] * square * square;
+  }
+  return sum;
+}
+
+/* A head that stretches no more stores no stretch; one that begins to has it at once. */
+static void book_change(TbView *view) {
+  TbState *state = view->state;
+  const uint32_t stretches = view->stretch.count > 0;
+  if (stretches == state->stretches) return;
+  const double energy = energy_of(view, view->now.q, view->last.q);
+  state->stretches = stretches;
+  if (stretches) {
+    state->ledger.sums.control += energy;
+  } else {
+    state->ledger.sums.head_loss += energy;
+  }
+}
+
 /* Call after the tension's rises are known. */
 static void count_unstretched(TbView *view) {
   TbState *state = view->state;
@@ -141,8 +166,7 @@ static void count_unstretched(TbView *view) {
 static TbStretching stretching_of(const TbView *view) {
   const TbModes *modes = &view->model->modes;
   const TbStretch *stretch = &view->model->stretch;
-  return (TbStretching){.modes = modes->padded,
-                        .a = modes->a,
+  return (TbStretching){.a = modes->a,
                         .b = modes->b,
                         .gain = {stretch->gain[0], stretch->gain[1]},
                         .g = modes->g,
@@ -158,6 +182,7 @@ void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
   view->stretch.count = count_stretching(view);
+  book_change(view);
   if (view->stretch.count > 0) mix(view, view->now.q);
   view->stretch.summed =
     view->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
@@ -253,12 +278,5 @@ void tb_stretch_clear(TbView *view) {
 }
 
 double tb_stretch_energy(const TbView *view, const double *next, const double *now) {
-  const TbStretch *stretch = &view->model->stretch;
-  double sum = 0.0;
-  mix(view, now);
-  for (uint32_t h = 0; h < stretch->count; h++) {
-    const double square = square_of(view, h, next, now);
-    sum += 0.25 * stretch->factor[h] * square * square;
-  }
-  return sum;
+  return view->state->stretches ? energy_of(view, next, now) : 0.0;
 }

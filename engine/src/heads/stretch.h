@@ -22,11 +22,10 @@
 
 #include "state/state.h"
 
-/* Draft and live (TbStretch.hold): a head whose tension has not risen by a 20 000th for 20 ms, while no stick is in play
+/* Draft and live (TbStretch.hold): a head whose tension has not risen by a 2 000th for 20 ms, while no stick is in play
  * and no loud sound comes from outside, moves as a linear one until one of these comes or, every 64th step, its tension is
- * found to have risen. The pitch is then 0.04 cents too low at most. The energy stored counts the stretch all the same, so
- * the ledger's residual has what the linear motion makes of it: at most S/(8A) (q^T G q)^2 = (A/2S) dT^2, some 1e-9 J where dT
- * is a 20 000th. */
+ * found to have risen. The pitch is then 0.4 cents too low at most. What the stretch stores, at most S/(8A) (q^T G q)^2 =
+ * (A/2S) dT^2, some 1e-7 J, is lost with it, and comes back by control. */
 
 /* The modes' free motion, into view->next. */
 void tb_stretch_move(TbView *view);
@@ -44,7 +43,7 @@ void tb_stretch_renew(TbView *view);
 void tb_stretch_respond(TbView *view);
 /* Call after `product` was recomputed without any stretch. */
 void tb_stretch_clear(TbView *view);
-/* Energy stored between two instants [J]. */
+/* Energy stored between two instants [J]; nothing while heads move as linear ones. */
 double tb_stretch_energy(const TbView *view, const double *next, const double *now);
 
 #endif

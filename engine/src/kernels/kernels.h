@@ -23,10 +23,14 @@ typedef struct TbPair {
   double first, second;
 } TbPair;
 
+enum { TB_MODE_PARTS = 7 };
+
 /* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads whose bits are set in
- * heads[i], 1, 2 or 3. The first mixed[i] of them, a multiple of 8, may mix with others. */
+ * heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with others. Those behind them, up to end[i], stretch
+ * none. */
 typedef struct TbParts {
-  uint32_t count, from[7], size[7], mixed[7], heads[7];
+  uint32_t count, from[TB_MODE_PARTS], size[TB_MODE_PARTS], mixed[TB_MODE_PARTS],
+    end[TB_MODE_PARTS], heads[TB_MODE_PARTS];
 } TbParts;
 
 /* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows stand 8 side by side, those
@@ -48,7 +52,6 @@ typedef struct TbMixing {
 
 /* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the other's pull alone. */
 typedef struct TbStretching {
-  uint32_t modes;
   const double *a, *b;                  /* [modes], as all arrays: of the two-step recursion */
   const double *gain[2], *g, *q, *last; /* q at the present instant */
   const double *mixed[2];               /* G q off G's diagonal */
@@ -60,7 +63,8 @@ typedef struct TbStretching {
 /* The end of a step of the modes: what heads' stretching adds, what the modes have lost then, by origin, and what one microphone
  * hears of them. */
 typedef struct TbModesEnd {
-  uint32_t modes, origins;                                 /* origins: 2 or 3 */
+  bool stretched;
+  uint32_t origins;                                        /* 2 or 3 */
   const double *pull[2], *last, *loss[3], *ahead, *behind; /* [modes] */
   double stretch[2], *next; /* next is changed by stretch[h] pull[h] */
   double lost[3];           /* out */

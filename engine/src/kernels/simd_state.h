@@ -75,29 +75,26 @@ static INLINE void stretch_one(bool steps, bool mixed, uint64_t from, uint64_t e
 
 /* Modes that stretch no head. */
 static INLINE void stretch_none(bool steps, uint64_t from, uint64_t end, const TbStretching *s) {
-  if (steps && from < end)
+  if (steps)
     two_step((uint32_t)(end - from), s->next + from, s->a + from, s->q + from, s->b + from,
              s->last + from);
 }
 
 static INLINE void stretch_parts(bool steps, const TbParts *parts, TbStretching *s) {
   Lanes along[2] = {zero(), zero()}, own[3] = {zero(), zero(), zero()};
-  uint64_t done = 0;
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
     const uint64_t middle = from + parts->mixed[part];
-    stretch_none(steps, done, from, s);
     if (parts->heads[part] == 3) {
       stretch_both(steps, true, from, middle, s, along, own);
       stretch_both(steps, false, middle, end, s, along, own);
-    } else {
+    } else if (parts->heads[part]) {
       const uint32_t head = parts->heads[part] - 1u;
       stretch_one(steps, true, from, middle, s, head, &along[head], &own[head]);
       stretch_one(steps, false, middle, end, s, head, &along[head], &own[head]);
     }
-    done = end;
+    stretch_none(steps, end, parts->end[part], s);
   }
-  stretch_none(steps, done, s->modes, s);
   for (uint32_t h = 0; h < 2; h++) {
     s->along[h] = join(along[h]);
     s->own[h][h] = join(own[h]);
@@ -132,7 +129,7 @@ static TbPair stretch_dots(const TbParts *parts, const double *const pull[2], co
       }
     } else if (parts->heads[part] == 1) {
       first = dot_of_part(from, end, u, x, first);
-    } else {
+    } else if (parts->heads[part] == 2) {
       second = dot_of_part(from, end, v, x, second);
     }
   }
@@ -167,18 +164,16 @@ static INLINE void end_part(uint32_t heads, uint32_t origins, uint64_t from, uin
 
 static INLINE void end_parts(uint32_t origins, const TbParts *parts, const TbModesEnd *at,
                              EndSums *sums) {
-  uint64_t done = 0;
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
-    end_part(0, origins, done, from, at, sums);
-    switch (parts->heads[part]) {
+    switch (at->stretched ? parts->heads[part] : 0u) {
+    case 0: end_part(0, origins, from, end, at, sums); break;
     case 1: end_part(1, origins, from, end, at, sums); break;
     case 2: end_part(2, origins, from, end, at, sums); break;
     default: end_part(3, origins, from, end, at, sums); break;
     }
-    done = end;
+    end_part(0, origins, end, parts->end[part], at, sums);
   }
-  end_part(0, origins, done, at->modes, at, sums);
 }
 
 static void end_modes(const TbParts *parts, TbModesEnd *whole) {

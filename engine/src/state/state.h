@@ -22,6 +22,7 @@ typedef struct TbState {
   uint32_t asleep, quiet_checks;
   uint32_t hushed;      /* nobody hears it until it is played or sleeps: see silence.c */
   uint32_t unstretched; /* steps since heads' tensions last rose: see stretch.h */
+  uint32_t stretches;   /* 1 if heads stretched in the last step, and store energy by it */
   uint32_t airborne;    /* nothing touched in the last step; `modal` and `high_force` assume that */
   uint32_t event_debt;  /* see event_budget.h */
   double incident;      /* sound from outside at the last frame [Pa] */

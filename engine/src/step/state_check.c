@@ -172,8 +172,8 @@ static bool flags(const TaborModel *model, const TbState *state) {
   return state->newest < 3u && state->asleep <= 1u && state->wires.lifted <= (wires ? 1u : 0u) &&
          state->wires.flung <= (wires ? TB_FLUNG : 0u) &&
          state->high.wires_hold <= (wires ? 1u : 0u) && state->high.struck <= 1u &&
-         state->airborne <= 1u && state->hushed <= 1u && state->event_debt <= TB_DEBT_MOST &&
-         state->mics.heard >> model->def.mic_count == 0;
+         state->airborne <= 1u && state->hushed <= 1u && state->stretches <= 1u &&
+         state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
 }
 
 static bool microphones(const TaborModel *model, const TbState *state) {

@@ -153,10 +153,9 @@ static void respond(TbView *view, bool unchanged) {
 static void end_modes(TbView *view, uint32_t mic) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
-  const TbParts none = {.count = 0};
   TbModesEnd *end = &view->end;
   const bool heard = mic < model->def.mic_count;
-  *end = (TbModesEnd){.modes = modes->padded,
+  *end = (TbModesEnd){.stretched = view->stretch.count > 0,
                       .origins = modes->walls ? 3 : 2,
                       .pull = {view->stretch.pull[0], view->stretch.pull[1]},
                       .last = view->last.q,
@@ -166,7 +165,7 @@ static void end_modes(TbView *view, uint32_t mic) {
                       .stretch = {end->stretch[0], end->stretch[1]},
                       .next = view->next.q};
   view->mics.ear = heard ? mic : TB_NO_EAR;
-  model->kernels->end_modes(view->stretch.count > 0 ? &model->stretch.parts : &none, end);
+  model->kernels->end_modes(&model->stretch.parts, end);
 }
 
 /* With the modes' losses of end_modes(), unless the step was shortened after them. */

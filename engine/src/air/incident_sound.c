@@ -5,6 +5,10 @@ static bool is_silent(const TbIncident *sound) { return sound->now == 0.0 && sou
 
 bool tb_incident_pushes(const TbView *view) { return !is_silent(&view->incident); }
 
+bool tb_incident_pushes_all(const TbView *view) {
+  return tb_incident_pushes(view) && !view->incident.low;
+}
+
 /* ---- all modes ------------------------------------------------------------------------------- */
 
 static void push_all(const TbMic *mic, const TbModes *modes, const TbIncident *sound, double *q) {

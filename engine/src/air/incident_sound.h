@@ -30,6 +30,8 @@
 
 /* True if it acts in this step. */
 bool tb_incident_pushes(const TbView *view);
+/* True if it pushes more than the low modes. */
+bool tb_incident_pushes_all(const TbView *view);
 /* Adds what the sound does to the modes' free motion in view->next. */
 void tb_incident_push(TbView *view);
 /* Work that it does in this step [J]. Call after view->next is filled. */

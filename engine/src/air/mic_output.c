@@ -110,9 +110,15 @@ static double delayed(TbView *view, uint32_t mic, double value) {
 /* A and B of TbMic at one instant, of which the high band's part is known. */
 static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, TbPair high) {
   const TbMic *m = &view->model->mics[mic];
-  const TbPair sums =
-    view->model->kernels->two_dots(view->model->modes.padded, m->ahead, m->behind, phase->q);
-  return (TbPair){sums.first + high.first, sums.second + high.second};
+  TbPair sums = high;
+  for (uint32_t part = 0; part < view->moving.count; part++) {
+    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
+    const TbPair heard =
+      view->model->kernels->two_dots(count, m->ahead + from, m->behind + from, phase->q + from);
+    sums.first += heard.first;
+    sums.second += heard.second;
+  }
+  return sums;
 }
 
 /* What the tap hears: other drums hear the low modes alone. */
@@ -149,6 +155,12 @@ static void begin_hearing(TbView *view, uint32_t mic) {
   const TbPair now = all_sums_at(view, mic, &view->now);
   const TbPair last = all_sums_at(view, mic, &view->last);
   view->state->mics.ears[mic] = (TbEar){now.first, now.second, last.second};
+}
+
+void tb_mic_hear_anew(TbView *view) {
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    if (view->state->mics.heard >> mic & 1u) begin_hearing(view, mic);
+  }
 }
 
 /* Pressure [Pa] from the sums of the newest instant. */

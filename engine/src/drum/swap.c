@@ -19,6 +19,7 @@
 
 #include "drum/drum.h"
 #include "drum/drum_create.h"
+#include "heads/moving_modes.h"
 #include "math/portable_math.h"
 #include "step/energy.h"
 #include "step/live_params.h"
@@ -291,6 +292,15 @@ static void carry_high(const TbView *from, TbView *to) {
   to->state->high.contacts = from->state->high.contacts;
 }
 
+/* In another model modes come to rest anew. */
+static void carry_rest(const TbView *from, TbView *to) {
+  if (from->model->fingerprint != to->model->fingerprint) return;
+  memcpy(to->state->moving, from->state->moving, sizeof to->state->moving);
+  tb_view_move(to);
+  memcpy(to->strikers.slot_coupling, from->strikers.slot_coupling,
+         (size_t)TB_SLOTS * TB_SLOTS * sizeof(double));
+}
+
 static void carry_sound(const TaborSwap *swap, const TbView *from, TbView *to) {
   for (uint32_t i = 0; i < to->model->def.mic_count; i++) {
     const uint32_t mic = swap->mics[i];
@@ -317,6 +327,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   state->quiet_checks = from->state->quiet_checks;
   state->hushed = from->state->hushed;
   state->stretches = from->state->stretches;
+  tb_moving_wake(to, tb_modes_all(&to->model->modes));
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);
   carry_live(from, to, ratio);
@@ -324,6 +335,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   tb_live_params_apply(to);
   carry_contacts(from, to);
   carry_slots(from, to, ratio);
+  carry_rest(from, to);
   carry_high(from, to);
   carry_sound(swap, from, to);
 }

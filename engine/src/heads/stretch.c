@@ -177,10 +177,19 @@ static TbStretching stretching_of(const TbView *view) {
                         .pull = {view->stretch.pull[0], view->stretch.pull[1]}};
 }
 
+static void move_alone(const TbView *view) {
+  const TbModes *modes = &view->model->modes;
+  for (uint32_t part = 0; part < view->moving.count; part++) {
+    const uint32_t from = view->moving.from[part];
+    view->model->kernels->two_step(view->moving.end[part] - from, view->next.q + from,
+                                   modes->a + from, view->now.q + from, modes->b + from,
+                                   view->last.q + from);
+  }
+}
+
 /* If nothing else pushes the modes before tb_stretch_free(), one pass moves them and finds its sums. */
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
-  const TbModes *modes = &model->modes;
   view->stretch.count = count_stretching(view);
   book_change(view);
   if (view->stretch.count > 0) mix(view, view->now.q);
@@ -188,10 +197,9 @@ void tb_stretch_move(TbView *view) {
     view->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
   if (view->stretch.summed) {
     view->stretch.sums = stretching_of(view);
-    model->kernels->step_and_stretch(&model->stretch.parts, &view->stretch.sums);
+    model->kernels->step_and_stretch(&view->moving, &view->stretch.sums);
   } else {
-    model->kernels->two_step(modes->padded, view->next.q, modes->a, view->now.q, modes->b,
-                             view->last.q);
+    move_alone(view);
   }
 }
 
@@ -202,7 +210,7 @@ void tb_stretch_free(TbView *view) {
   if (view->stretch.count == 0) return;
   if (!view->stretch.summed) {
     view->stretch.sums = stretching_of(view);
-    model->kernels->stretch(&stretch->parts, &view->stretch.sums);
+    model->kernels->stretch(&view->moving, &view->stretch.sums);
   }
   weigh(stretch->count, view->stretch.sums.own, stretch->factor, view->solve.in.stretch_weight);
   for (uint32_t h = 0; h < stretch->count; h++) {

@@ -18,11 +18,11 @@ static INLINE uint32_t share_of(uint32_t left, uint32_t most) {
   return (left + turns - 1u) / turns;
 }
 
-/* `count` blocks of rows side by side, a constant at every call. `rounded`: the table holds
- * floats. */
-static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Real *out,
-                                   const void *table, uint32_t block, const Real *x) {
-  const uint64_t stride = 8u * (uint64_t)n, from = stride * block;
+/* `count` blocks of rows side by side, a constant at every call, by the first n of their `width` columns. `rounded`: the table
+ * holds floats. */
+static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, uint32_t width,
+                                   Real *out, const void *table, uint32_t block, const Real *x) {
+  const uint64_t stride = 8u * (uint64_t)width, from = stride * block;
   const Real *matrix = table;
   const float *floats = table;
   Lanes sum[MOST_SUMS];
@@ -42,29 +42,29 @@ static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, Rea
   for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
 }
 
-static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, Real *out,
-                                const void *table, const Real *x) {
+static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, uint32_t width,
+                                Real *out, const void *table, const Real *x) {
   for (uint32_t b = 0, take; b < blocks; b += take) {
     take = share_of(blocks - b, MOST_SUMS);
     switch (take) { /* one copy of the code for each */
-    case 1: multiply_blocks(rounded, 1, n, out, table, b, x); break;
-    case 2: multiply_blocks(rounded, 2, n, out, table, b, x); break;
-    case 3: multiply_blocks(rounded, 3, n, out, table, b, x); break;
-    case 4: multiply_blocks(rounded, 4, n, out, table, b, x); break;
-    case 5: multiply_blocks(rounded, 5, n, out, table, b, x); break;
-    case 6: multiply_blocks(rounded, 6, n, out, table, b, x); break;
+    case 1: multiply_blocks(rounded, 1, n, width, out, table, b, x); break;
+    case 2: multiply_blocks(rounded, 2, n, width, out, table, b, x); break;
+    case 3: multiply_blocks(rounded, 3, n, width, out, table, b, x); break;
+    case 4: multiply_blocks(rounded, 4, n, width, out, table, b, x); break;
+    case 5: multiply_blocks(rounded, 5, n, width, out, table, b, x); break;
+    case 6: multiply_blocks(rounded, 6, n, width, out, table, b, x); break;
     case 7:
-      if (MOST_SUMS >= 7) multiply_blocks(rounded, 7, n, out, table, b, x);
+      if (MOST_SUMS >= 7) multiply_blocks(rounded, 7, n, width, out, table, b, x);
       break;
     default:
-      if (MOST_SUMS >= 8) multiply_blocks(rounded, 8, n, out, table, b, x);
+      if (MOST_SUMS >= 8) multiply_blocks(rounded, 8, n, width, out, table, b, x);
       break;
     }
   }
 }
 
 static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, const Real *x) {
-  multiply_all(false, blocks, n, out, matrix, x);
+  multiply_all(false, blocks, n, n, out, matrix, x);
 }
 
 /* ---- one or two vectors --------------------------------------------------------------------- */
@@ -170,6 +170,12 @@ static void gather(const Gather *g) {
 
 /* ---- modes that mix --------------------------------------------------------------------------- */
 
+/* Modes that rest, and copies that nothing has struck, are exactly zero. */
+static INLINE uint32_t up_to_zeros(uint32_t n, const Real *x) {
+  while (n > 0 && x[n - 1u] == REAL(0.0)) n--;
+  return n;
+}
+
 static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
   _Alignas(64) Real x[TB_MIXING_MOST], y[2 * TB_MIXING_MOST];
   for (uint32_t b = 0; b < mixing->count; b++) {
@@ -178,7 +184,7 @@ static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
     const void *table = SINGLE ? (const void *)block.rounded : block.matrix;
     UNROLL(8)
     for (uint64_t i = 0; i < block.count; i++) x[i] = (Real)q[block.mode[i]];
-    multiply_all(false, rows, block.count, y, table, x);
+    multiply_all(false, rows, up_to_zeros(block.count, x), block.count, y, table, x);
     for (uint64_t h = 0; h < mixing->heads; h++) {
       double *const to = out[h];
       const Real *from = y + h * block.count;
@@ -191,7 +197,7 @@ static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
 #ifndef TB_FLOAT
 static void multiply_rounded(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                              const double *x) {
-  multiply_all(true, blocks, n, out, matrix, x);
+  multiply_all(true, blocks, n, n, out, matrix, x);
 }
 
 static void gather_rounded(const TbGather *g) {

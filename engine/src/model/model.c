@@ -12,6 +12,7 @@
 #include "model/lug_modes.h"
 #include "model/mics.h"
 #include "model/quality_level.h"
+#include "model/resting.h"
 #include "model/state_layout.h"
 #include "model/stretch_gain.h"
 #include "model/tuning.h"
@@ -372,6 +373,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
     status = stages[i].prepare(model, scratch);
   }
   if (status == TABOR_OK) status = tb_lug_modes_prepare(model, error);
+  if (status == TABOR_OK) status = tb_resting_prepare(model);
   if (status == TABOR_OK) {
     tb_layout_prepare(&model->layout, model);
     model->fingerprint = fingerprint(model);

@@ -87,6 +87,12 @@ typedef struct TbLugs {
   TaborModeInfo *rows; /* those modes, sorted by frequency */
 } TbLugs;
 
+/* See resting.h. */
+typedef struct TbResting {
+  uint32_t floor[TB_MODE_PARTS]; /* so many modes of each part (TbStretch.parts) never rest */
+  double *most; /* [padded/8]: each mode of a block of eight rests below this energy [J] */
+} TbResting;
+
 /* Offsets of the arrays of a drum's state, in bytes from the first array. */
 typedef struct TbLayout {
 #define OFFSETS(name, kind, most, copies, count) size_t name[most];
@@ -126,6 +132,7 @@ struct TaborModel {
   double *high_patches[TABOR_MAX_STRIKERS]; /* [high.padded] of each striker */
   TbBrushShapes places[TABOR_MAX_STRIKERS]; /* of each brush */
   TbRest rest;
+  TbResting resting;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
   /* [wires.stride + TB_SLOTS]: the head's compliance at a point, to a force there [m/N] */

@@ -57,6 +57,10 @@ static inline TbModeRanges tb_modes_of_head(const TbModes *modes, uint32_t which
   return (TbModeRanges){run[1], run[2], run[3] - run[2]};
 }
 
+static inline bool tb_modes_have(TbModeRanges ranges, uint32_t mode) {
+  return mode < ranges.first || mode - ranges.from < ranges.size;
+}
+
 /* Coefficients of one mode with undamped frequency omega and decay rate s, both [rad/s]. */
 typedef struct TbPole {
   double a, b, g, stiffness, loss;

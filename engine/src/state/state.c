@@ -117,7 +117,21 @@ TbView tb_view(TbState *state, const TaborModel *model) {
   share_with_solve(&view);
   tb_view_lift(&view, state->wires.lifted != 0);
   view_phases(&view);
+  tb_view_move(&view);
   return view;
+}
+
+void tb_view_move(TbView *view) {
+  const TbParts *parts = &view->model->stretch.parts;
+  view->moving = *parts;
+  view->all_move = true;
+  for (uint32_t i = 0; i < parts->count; i++) {
+    const uint32_t all = view->state->moving[i];
+    view->moving.end[i] = parts->from[i] + all;
+    view->all_move = view->all_move && view->moving.end[i] == parts->end[i];
+    if (view->moving.size[i] > all) view->moving.size[i] = all;
+    if (view->moving.mixed[i] > all) view->moving.mixed[i] = all;
+  }
 }
 
 void tb_view_rotate(TbView *view) {

@@ -23,9 +23,10 @@ typedef struct TbState {
   uint32_t hushed;      /* nobody hears it until it is played or sleeps: see silence.c */
   uint32_t unstretched; /* steps since heads' tensions last rose: see stretch.h */
   uint32_t stretches;   /* 1 if heads stretched in the last step, and store energy by it */
-  uint32_t airborne;    /* nothing touched in the last step; `modal` and `high_force` assume that */
-  uint32_t event_debt;  /* see event_budget.h */
-  double incident;      /* sound from outside at the last frame [Pa] */
+  uint32_t moving[TB_MODE_PARTS]; /* modes of each part that move: see moving_modes.h */
+  uint32_t airborne;   /* nothing touched in the last step; `modal` and `high_force` assume that */
+  uint32_t event_debt; /* see event_budget.h */
+  double incident;     /* sound from outside at the last frame [Pa] */
   TbLiveValues live;
   TbStrikerState strikers;
   TbWireState wires;
@@ -55,6 +56,8 @@ typedef struct TbView {
   const TaborModel *model;
   TbState *state;
   TbPhase next, now, last;
+  TbParts moving; /* the modes' parts, of which those that rest are left out */
+  bool all_move;
   double *bend;      /* [nodes] scratch of the wires' step */
   double *head;      /* [rows] the head's displacement under the wires' points [m] */
   double *rest_load; /* [rows] part of b that the load at rest causes [m] */
@@ -77,6 +80,8 @@ size_t tb_state_head_bytes(void);
 TbView tb_view(TbState *state, const TaborModel *model);
 /* Makes `next` the newest instant. Call after `next` was filled. */
 void tb_view_rotate(TbView *view);
+/* Call after state->moving has changed. */
+void tb_view_move(TbView *view);
 
 /* Marks the wires as lifted or not. While they are lifted, contacts are solved in double, which is
  * fast enough. */

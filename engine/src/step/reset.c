@@ -10,6 +10,7 @@ void tb_step_reset(TbState *state, const TaborModel *model) {
   memset(state, 0, tb_state_bytes(model));
   state->fingerprint = model->fingerprint;
   state->asleep = 1;
+  memcpy(state->moving, model->resting.floor, sizeof state->moving);
   TbView view = tb_view(state, model);
   const TbWires *wires = &model->wires;
   for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {

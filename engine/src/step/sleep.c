@@ -5,11 +5,15 @@
 #include <string.h>
 
 #include "air/high_band_step.h"
+#include "air/mic_output.h"
+#include "heads/coupling.h"
+#include "heads/moving_modes.h"
 #include "heads/stretch.h"
 #include "step/energy.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
 #include "strikers/brush.h"
+#include "strikers/striker_pool.h"
 #include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
@@ -104,6 +108,13 @@ static bool parameter_moves(const TbState *state) {
   return false;
 }
 
+static void rest(TbView *view) {
+  if (!tb_moving_rest(view)) return;
+  tb_mic_hear_anew(view);
+  tb_pool_yield_anew(view);
+  tb_coupling_renew(view);
+}
+
 void tb_sleep_check(TbView *view) {
   TbState *state = view->state;
   const double motion = tb_energy_motion(view, &view->now, &view->last);
@@ -118,6 +129,7 @@ void tb_sleep_check(TbView *view) {
     return;
   }
   clear_vanished(view);
+  rest(view);
   tb_wire_clearance_begin(view);
   tb_pluck_calm(view);
   tb_wire_motion_of(view)->settle(view);

@@ -176,6 +176,17 @@ static bool flags(const TaborModel *model, const TbState *state) {
          state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
 }
 
+/* What moves without strikers never rests. */
+static bool moving(const TaborModel *model, const TbState *state) {
+  const TbParts *parts = &model->stretch.parts;
+  for (uint32_t i = 0; i < parts->count; i++) {
+    const uint32_t count = state->moving[i];
+    if (count % 8u != 0 || count < model->resting.floor[i]) return false;
+    if (count > parts->end[i] - parts->from[i]) return false;
+  }
+  return true;
+}
+
 static bool microphones(const TaborModel *model, const TbState *state) {
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
     if (state->mics.delay_at[mic] > model->mics[mic].delay) return false;
@@ -200,9 +211,9 @@ static bool numbers(const TbState *state) {
 }
 
 static bool head(const TaborModel *model, const TbState *state) {
-  return flags(model, state) && microphones(model, state) && numbers(state) &&
-         tb_live_params_in_range(state) && slots(model, state) && brushes(state) &&
-         plucks(model, state);
+  return flags(model, state) && moving(model, state) && microphones(model, state) &&
+         numbers(state) && tb_live_params_in_range(state) && slots(model, state) &&
+         brushes(state) && plucks(model, state);
 }
 
 /* ---- arrays --------------------------------------------------------------------------------- */

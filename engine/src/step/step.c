@@ -8,6 +8,7 @@
 #include "air/incident_sound.h"
 #include "air/mic_output.h"
 #include "air/radiated_energy.h"
+#include "heads/coupling.h"
 #include "heads/lug_forces.h"
 #include "heads/stretch.h"
 #include "kernels/profile.h"
@@ -165,7 +166,7 @@ static void end_modes(TbView *view, uint32_t mic) {
                       .stretch = {end->stretch[0], end->stretch[1]},
                       .next = view->next.q};
   view->mics.ear = heard ? mic : TB_NO_EAR;
-  model->kernels->end_modes(&model->stretch.parts, end);
+  model->kernels->end_modes(&view->moving, end);
 }
 
 /* With the modes' losses of end_modes(), unless the step was shortened after them. */
@@ -217,10 +218,17 @@ static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
   book_losses(view, shortened);
 }
 
+static void wake_by_sound(TbView *view) {
+  if (view->all_move || !tb_incident_pushes_all(view)) return;
+  tb_pool_wake(view, tb_modes_all(&view->model->modes));
+  tb_coupling_renew(view);
+}
+
 /* Everything is first moved without contact forces; the solve finds the forces; then they move everything. Each line says
  * what it reads -> what it writes, beside model and state: q of modes, v of wires, z of strikers and eta, the penetrations of
  * rows, are those of the instants next, now and last; b, s and f = solve.warm.force are rows of the solve (solve.h). */
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
+  wake_by_sound(view);
   /* live values -> coefficients of wires, grips, mufflers, gains; what that moves: now.eta, last.eta, ledger */
   tb_live_params_step(view);
   TB_STAGE(STRIKERS);

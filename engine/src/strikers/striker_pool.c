@@ -5,6 +5,7 @@
 
 #include "air/high_band_step.h"
 #include "heads/coupling.h"
+#include "heads/moving_modes.h"
 #include "math/portable_math.h"
 #include "strikers/stick.h"
 #include "strikers/striker_hold.h"
@@ -33,6 +34,51 @@ static double shared_compliance(const TbView *view, uint32_t slot, uint32_t othe
   return sum;
 }
 
+static void set_coupling(TbView *view, uint32_t slot, uint32_t other, double value) {
+  view->strikers.slot_coupling[slot * TB_SLOTS + other] = value;
+  view->strikers.slot_coupling[other * TB_SLOTS + slot] = value;
+}
+
+/* The lower slot's drive on the higher one's shape: the same bits whoever came first. */
+static double modal_coupling(const TbView *view, uint32_t slot, uint32_t other) {
+  const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
+  const double *drive = tb_slot_drive(view, low), *shape = tb_slot_shape(view, high);
+  return view->model->kernels->dot(view->model->modes.padded, drive, shape);
+}
+
+/* The same by the modes that move. */
+static double moving_coupling(const TbView *view, uint32_t slot, uint32_t other) {
+  const double *drive = tb_slot_drive(view, slot), *shape = tb_slot_shape(view, other);
+  double sum = 0.0;
+  for (uint32_t part = 0; part < view->moving.count; part++) {
+    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
+    sum += view->model->kernels->dot(count, drive + from, shape + from);
+  }
+  return sum;
+}
+
+/* Between the mufflers, the only slots in play while modes rest. */
+static void couple_mufflers(TbView *view, double (*coupling)(const TbView *, uint32_t, uint32_t)) {
+  for (uint32_t i = TB_MUFFLERS; i < TB_MUFFLERS + TB_HEADS; i++) {
+    for (uint32_t j = TB_MUFFLERS; j <= i; j++) {
+      if (in_play(view, i) && in_play(view, j)) set_coupling(view, i, j, coupling(view, i, j));
+    }
+  }
+}
+
+void tb_pool_wake(TbView *view, TbModeRanges pushed) {
+  tb_moving_wake(view, pushed);
+  for (uint32_t i = TB_MUFFLERS; i < TB_MUFFLERS + TB_HEADS; i++) {
+    if (in_play(view, i)) tb_moving_wake(view, tb_slot_modes(view, i));
+  }
+  couple_mufflers(view, modal_coupling);
+}
+
+static void wake(TbView *view, const TbSlot *slot) {
+  const TbModes *modes = &view->model->modes;
+  tb_pool_wake(view, slot->on_hoop ? tb_modes_all(modes) : tb_modes_of_head(modes, slot->head));
+}
+
 /* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit force
  * does to the modes, and the compliance to the grid under the wires and to every other slot. */
 static void couple(TbView *view, uint32_t slot) {
@@ -46,15 +92,11 @@ static void couple(TbView *view, uint32_t slot) {
   tb_project(&model->projection, kernels, drive, coupling);
   for (uint32_t point = 0; point < size; point++) coupling[point] *= model->wires.side;
   for (uint32_t other = 0; other < TB_SLOTS; other++) {
-    /* The lower slot's drive on the higher one's shape: the same bits whoever came first. */
     const uint32_t low = other < slot ? other : slot, high = other < slot ? slot : other;
-    const double value =
-      in_play(view, other) || other == slot
-        ? kernels->dot(modes->padded, tb_slot_drive(view, low), tb_slot_shape(view, high)) +
-            shared_compliance(view, low, high)
-        : 0.0;
-    view->strikers.slot_coupling[slot * TB_SLOTS + other] = value;
-    view->strikers.slot_coupling[other * TB_SLOTS + slot] = value;
+    const double value = in_play(view, other) || other == slot
+                           ? modal_coupling(view, slot, other) + shared_compliance(view, low, high)
+                           : 0.0;
+    set_coupling(view, slot, other, value);
   }
   view->strikers.slot_coupling[slot * TB_SLOTS + slot] += tb_slot_truncated(view, slot)->compliance;
 }
@@ -83,21 +125,23 @@ static void prepare_law(TbView *view, uint32_t slot) {
 }
 
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) {
-  const TbKernels *kernels = view->model->kernels;
   const TbModeRanges modes = tb_slot_modes(view, slot);
   const double *shape = tb_slot_shape(view, slot);
-  const double sum = kernels->dot(modes.first, shape, q);
-  if (modes.size == 0) return sum;
-  return sum + kernels->dot(modes.size, shape + modes.from, q + modes.from);
+  double sum = 0.0;
+  for (uint32_t part = 0; part < view->moving.count; part++) {
+    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
+    if (tb_modes_have(modes, from)) sum += view->model->kernels->dot(count, shape + from, q + from);
+  }
+  return sum;
 }
 
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
-  const TbKernels *kernels = view->model->kernels;
   const TbModeRanges modes = tb_slot_modes(view, slot);
   const double *drive = tb_slot_drive(view, slot);
-  kernels->add_scaled(modes.first, q, force, drive);
-  if (modes.size > 0) {
-    kernels->add_scaled(modes.size, q + modes.from, force, drive + modes.from);
+  for (uint32_t part = 0; part < view->moving.count; part++) {
+    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
+    if (!tb_modes_have(modes, from)) continue;
+    view->model->kernels->add_scaled(count, q + from, force, drive + from);
   }
 }
 
@@ -157,6 +201,13 @@ static void find_penetration(TbView *view, uint32_t slot) {
   const uint32_t row = view->model->wires.stride + slot;
   view->now.eta[row] = penetration_at(view, slot, &view->now);
   view->last.eta[row] = penetration_at(view, slot, &view->last);
+}
+
+void tb_pool_yield_anew(TbView *view) {
+  couple_mufflers(view, moving_coupling);
+  for (uint32_t i = TB_MUFFLERS; i < TB_MUFFLERS + TB_HEADS; i++) {
+    if (in_play(view, i)) find_penetration(view, i);
+  }
 }
 
 void tb_pool_rebuild(TbView *view, uint32_t slot) {
@@ -328,6 +379,7 @@ static void book_launch(TbView *view, uint32_t slot) {
 }
 
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
+  wake(view, striker);
   *tb_slot(view, slot) = *striker;
   view->state->strikers.mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
@@ -342,6 +394,7 @@ void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double abov
 }
 
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
+  wake(view, hand);
   *tb_slot(view, slot) = *hand;
   view->state->strikers.mask |= 1u << slot;
   tb_pool_rebuild(view, slot);

@@ -1,0 +1,81 @@
+/* SPDX-License-Identifier: MIT */
+#include "heads/moving_modes.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Fewer modes more at rest are not worth the look at everything that sums over modes. */
+static const uint32_t WORTH = 64;
+
+void tb_moving_wake(TbView *view, TbModeRanges pushed) {
+  const TbParts *parts = &view->model->stretch.parts;
+  uint32_t *moving = view->state->moving;
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t all = parts->end[part] - parts->from[part];
+    /* Modes that mix push each other. */
+    const uint32_t least = tb_modes_have(pushed, parts->from[part]) ? all : parts->mixed[part];
+    if (moving[part] < least) moving[part] = least;
+  }
+  tb_view_move(view);
+}
+
+/* ---- coming to rest --------------------------------------------------------------------------- */
+
+static double energy_of(const TbView *view, uint32_t mode) {
+  const double now = view->now.q[mode], last = view->last.q[mode];
+  const double velocity = (now - last) * view->model->step_rate;
+  return 0.5 * (velocity * velocity + view->model->modes.stiffness[mode] * now * last);
+}
+
+static bool is_quiet(const TbView *view, uint32_t from) {
+  const double most = view->model->resting.most[from / 8u];
+  for (uint32_t i = from; i < from + 8u; i++) {
+    if (fabs(energy_of(view, i)) > most) return false;
+  }
+  return true;
+}
+
+/* How many modes of a part still move. */
+static uint32_t left_of(const TbView *view, uint32_t part) {
+  const uint32_t from = view->model->stretch.parts.from[part];
+  const uint32_t floor = view->model->resting.floor[part];
+  uint32_t left = view->state->moving[part];
+  while (left > floor && is_quiet(view, from + left - 8u)) left -= 8u;
+  return left;
+}
+
+static void stop(TbView *view, uint32_t from, uint32_t end) {
+  double *const arrays[] = {view->now.q, view->last.q, view->next.q};
+  const size_t bytes = (end - from) * sizeof(double);
+  for (uint32_t i = from; i < end; i++) view->state->ledger.sums.head_loss += energy_of(view, i);
+  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memset(arrays[i] + from, 0, bytes);
+  for (uint32_t h = 0; h < view->model->stretch.count; h++) {
+    memset(view->stretch.pull[h] + from, 0, bytes);
+  }
+}
+
+static bool is_pushed(const TbView *view) {
+  if (view->incident.now != 0.0 && !view->incident.low) return true;
+  for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
+    const TbSlot *s = tb_slot(view, slot);
+    if (s->kind != TB_SLOT_FREE && s->kind != TB_SLOT_MUFFLER) return true;
+  }
+  return false;
+}
+
+bool tb_moving_rest(TbView *view) {
+  const TbParts *parts = &view->model->stretch.parts;
+  bool rests = false;
+  if (is_pushed(view)) return false;
+  for (uint32_t part = 0; part < parts->count; part++) {
+    uint32_t *moving = &view->state->moving[part];
+    const uint32_t left = left_of(view, part);
+    if (*moving == left || (*moving - left < WORTH && left > view->model->resting.floor[part]))
+      continue;
+    stop(view, parts->from[part] + left, parts->from[part] + *moving);
+    *moving = left;
+    rests = true;
+  }
+  if (rests) tb_view_move(view);
+  return rests;
+}

@@ -165,14 +165,13 @@ static INLINE void end_part(uint32_t heads, uint32_t origins, uint64_t from, uin
 static INLINE void end_parts(uint32_t origins, const TbParts *parts, const TbModesEnd *at,
                              EndSums *sums) {
   for (uint32_t part = 0; part < parts->count; part++) {
-    const uint64_t from = parts->from[part], end = from + parts->size[part];
-    switch (at->stretched ? parts->heads[part] : 0u) {
-    case 0: end_part(0, origins, from, end, at, sums); break;
-    case 1: end_part(1, origins, from, end, at, sums); break;
-    case 2: end_part(2, origins, from, end, at, sums); break;
-    default: end_part(3, origins, from, end, at, sums); break;
-    }
-    end_part(0, origins, end, parts->end[part], at, sums);
+    const uint32_t heads = at->stretched ? parts->heads[part] : 0u;
+    const uint64_t from = parts->from[part], all = parts->end[part];
+    const uint64_t end = heads ? from + parts->size[part] : from;
+    if (heads == 1) end_part(1, origins, from, end, at, sums);
+    if (heads == 2) end_part(2, origins, from, end, at, sums);
+    if (heads == 3) end_part(3, origins, from, end, at, sums);
+    if (end < all) end_part(0, origins, end, all, at, sums);
   }
 }
 

@@ -147,6 +147,8 @@ COUNTED_RESULT(TbPair, stretch_dots, modes_of(parts),
                (const TbParts *parts, const double *const pull[2], In x), (parts, pull, x))
 COUNTED(step_and_stretch, 2 * modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
 COUNTED(end_modes, 3ull * modes_of(parts), (const TbParts *parts, TbModesEnd *end), (parts, end))
+COUNTED_RESULT(TbPair, heard, modes_of(parts), (const TbParts *parts, In u, In v, In q),
+               (parts, u, v, q))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
 COUNTED(losses, n,
         (uint32_t n, uint32_t count, const double *const w[3], In next, In last, double sums[3]),
@@ -225,6 +227,7 @@ static const TbKernels counting = {
   .step_and_stretch = COUNT(step_and_stretch),
   .stretch_dots = COUNT(stretch_dots),
   .end_modes = COUNT(end_modes),
+  .heard = COUNT(heard),
   .reach = COUNT(reach),
   .losses = COUNT(losses),
   .subtract = COUNT(subtract),

@@ -110,15 +110,8 @@ static double delayed(TbView *view, uint32_t mic, double value) {
 /* A and B of TbMic at one instant, of which the high band's part is known. */
 static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, TbPair high) {
   const TbMic *m = &view->model->mics[mic];
-  TbPair sums = high;
-  for (uint32_t part = 0; part < view->moving.count; part++) {
-    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
-    const TbPair heard =
-      view->model->kernels->two_dots(count, m->ahead + from, m->behind + from, phase->q + from);
-    sums.first += heard.first;
-    sums.second += heard.second;
-  }
-  return sums;
+  const TbPair sums = view->model->kernels->heard(&view->moving, m->ahead, m->behind, phase->q);
+  return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
 /* What the tap hears: other drums hear the low modes alone. */

@@ -292,9 +292,10 @@ static void carry_high(const TbView *from, TbView *to) {
   to->state->high.contacts = from->state->high.contacts;
 }
 
-/* In another model modes come to rest anew. */
+/* In another model modes come to rest, and heads to be linear, anew. */
 static void carry_rest(const TbView *from, TbView *to) {
   if (from->model->fingerprint != to->model->fingerprint) return;
+  to->state->unstretched = from->state->unstretched;
   memcpy(to->state->moving, from->state->moving, sizeof to->state->moving);
   tb_view_move(to);
   memcpy(to->strikers.slot_coupling, from->strikers.slot_coupling,

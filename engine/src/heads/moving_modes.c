@@ -54,7 +54,9 @@ static void stop(TbView *view, uint32_t from, uint32_t end) {
   }
 }
 
-static bool is_pushed(const TbView *view) {
+/* Without losses nothing dies away. */
+static bool goes_on(const TbView *view) {
+  if (!view->model->def.quality.losses) return true;
   if (view->incident.now != 0.0 && !view->incident.low) return true;
   for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
     const TbSlot *s = tb_slot(view, slot);
@@ -66,7 +68,7 @@ static bool is_pushed(const TbView *view) {
 bool tb_moving_rest(TbView *view) {
   const TbParts *parts = &view->model->stretch.parts;
   bool rests = false;
-  if (is_pushed(view)) return false;
+  if (goes_on(view)) return false;
   for (uint32_t part = 0; part < parts->count; part++) {
     uint32_t *moving = &view->state->moving[part];
     const uint32_t left = left_of(view, part);

@@ -143,11 +143,7 @@ static void book_change(TbView *view) {
   if (stretches == state->stretches) return;
   const double energy = energy_of(view, view->now.q, view->last.q);
   state->stretches = stretches;
-  if (stretches) {
-    state->ledger.sums.control += energy;
-  } else {
-    state->ledger.sums.head_loss += energy;
-  }
+  state->ledger.sums.control += stretches ? energy : -energy;
 }
 
 /* Call after the tension's rises are known. */

@@ -203,6 +203,8 @@ typedef struct TB_TYPE(TbKernels) {
   /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`, and Sum ahead next and
    * Sum behind next. */
   void (*end_modes)(const TbParts *parts, TbModesEnd *end);
+  /* Sum ahead q and Sum behind q */
+  TbPair (*heard)(const TbParts *parts, const double *ahead, const double *behind, const double *q);
   /* Sum c |x| */
   double (*reach)(uint32_t n, const double *c, const double *x);
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */

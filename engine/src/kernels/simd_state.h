@@ -187,6 +187,20 @@ static void end_modes(const TbParts *parts, TbModesEnd *whole) {
   whole->heard = (TbPair){join(sums.ahead), join(sums.behind)};
 }
 
+/* In the order of end_modes(), whose sums these are. */
+static TbPair heard(const TbParts *parts, const double *ahead, const double *behind,
+                    const double *q) {
+  Lanes first = zero(), second = zero();
+  for (uint32_t part = 0; part < parts->count; part++) {
+    for (uint64_t i = parts->from[part]; i < parts->end[part]; i += 8) {
+      const Lanes value = load(q + i);
+      first = add(first, multiply_lanes(load(ahead + i), value));
+      second = add(second, multiply_lanes(load(behind + i), value));
+    }
+  }
+  return (TbPair){join(first), join(second)};
+}
+
 static double reach(uint32_t n, const double *c, const double *x) {
   Lanes sum = zero();
   for (uint64_t i = 0; i < n; i += 8) {

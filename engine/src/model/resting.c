@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "math/portable_math.h"
+
 static const double HEARD = 1e-6; /* of full scale: -120 dB */
 static const double FELT = 1e-11; /* [J] */
 
@@ -14,7 +16,7 @@ static double loudness(const TaborModel *model, uint32_t mode, double omega) {
     const double sum = fabs(mic->ahead[mode]) + fabs(mic->behind[mode]);
     most = fmax(most, model->def.mic[i].gain * sum);
   }
-  return 2.0 * sin(0.5 * omega * model->time_step) * most / model->def.full_scale;
+  return 2.0 * tb_sin(0.5 * omega * model->time_step) * most / model->def.full_scale;
 }
 
 static double most_energy(const TaborModel *model, uint32_t mode) {

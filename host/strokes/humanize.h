@@ -18,9 +18,9 @@
 
 #define HUMANIZE_PLACE 0.015 /**< largest move of the position with amount 1 [m] */
 #define HUMANIZE_SPEED 0.06  /**< largest relative change of the speed with amount 1 */
-#define HUMANIZE_LIVE                                                                              \
-  0.5 /**< the amount where nothing else is asked for, in live play, plugins and takes: strokes then
-                                  differ as recorded ones do (tools/compare-takes) */
+/** The amount where nothing else is asked for, in live play, plugins and takes: strokes then differ as recorded ones do
+ * (tools/compare-takes). */
+#define HUMANIZE_LIVE 0.5
 #define HUMANIZE_LIVE_TEXT "0.5"
 #define HUMANIZE_SEED 1 /**< where nothing else is asked for */
 

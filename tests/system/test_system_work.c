@@ -162,29 +162,37 @@ static int compare_counts(const void *left, const void *right) {
   return (a > b) - (a < b);
 }
 
-/* A loud roll of a stroke each eighth of a second: no block of 64 samples is 1.6 times the median's work. In a soft one heads
- * move as linear ones between strokes, which saves a third, but not in the worst block. */
-static void a_roll_is_even(void **state) {
-  (void)state;
+/* The work of blocks of 64 samples, sorted, of a roll of a stroke each eighth of a second, every second one soft. */
+static void play_roll(double soft, uint64_t blocks[BLOCKS]) {
   TaborDrumDef def = physics_preset("snare-14x5.5");
   TaborModel *model = counting_model(&def);
   TaborDrum *drum = physics_drum(model);
-  uint64_t blocks[BLOCKS];
   float samples[64], *outputs[TABOR_MAX_MICS] = {samples};
   for (uint32_t block = 0; block < BLOCKS; block++) {
     TaborEvent stroke = physics_strike(&def);
-    stroke.velocity = 4.0;
+    stroke.velocity = block / 94 % 2 ? 4.0 : soft;
     stroke.radius = 0.2 * (block / 94 % 5) * def.shell.radius;
     work = 0;
     tabor_drum_process(drum, &stroke, block % 94 == 0, outputs, 64);
     blocks[block] = work;
   }
   qsort(blocks, BLOCKS, sizeof *blocks, compare_counts);
-  print_message("elements of a block of 64: median %llu, most %llu\n",
-                (unsigned long long)blocks[BLOCKS / 2], (unsigned long long)blocks[BLOCKS - 1]);
-  assert_true(5 * blocks[BLOCKS - 1] <= 8 * blocks[BLOCKS / 2]);
   tabor_drum_destroy(drum);
   tabor_model_release(model);
+}
+
+/* No block is 1.6 times the median's work in a loud roll, of a loud roll or of one with soft strokes between, where heads move as
+ * linear ones: that saves a third of most blocks, but nothing of the worst. */
+static void a_roll_is_even(void **state) {
+  (void)state;
+  uint64_t loud[BLOCKS], mixed[BLOCKS];
+  play_roll(4.0, loud);
+  play_roll(1.0, mixed);
+  const uint64_t usual = loud[BLOCKS / 2];
+  print_message("elements of a block of 64: median %llu, most %llu, with soft strokes %llu\n",
+                (unsigned long long)usual, (unsigned long long)loud[BLOCKS - 1],
+                (unsigned long long)mixed[BLOCKS - 1]);
+  assert_true(5 * loud[BLOCKS - 1] <= 8 * usual && 5 * mixed[BLOCKS - 1] <= 8 * usual);
 }
 
 static uint64_t work_of(TaborDrum *drum, const TaborEvent *stroke, uint32_t samples) {

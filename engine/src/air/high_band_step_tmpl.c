@@ -122,9 +122,7 @@ static double energy(const TbView *view) {
   const Real *next = view->now.high, *now = view->last.high;
   double sum = 0.0;
   for (uint32_t i = 0; i < high->padded; i++) {
-    const double to = (double)next[i], from = (double)now[i];
-    const double velocity = (to - from) * rate;
-    sum += velocity * velocity + high->stiffness[i] * to * from;
+    sum += tb_pole_energy(rate, high->stiffness[i], (double)next[i], (double)now[i]);
   }
   return 0.5 * sum;
 }

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "air/incident_sound.h"
+
 /* Fewer modes more at rest are not worth the look at everything that sums over modes. */
 static const uint32_t WORTH = 64;
 
@@ -22,9 +24,9 @@ void tb_moving_wake(TbView *view, TbModeRanges pushed) {
 /* ---- coming to rest --------------------------------------------------------------------------- */
 
 static double energy_of(const TbView *view, uint32_t mode) {
-  const double now = view->now.q[mode], last = view->last.q[mode];
-  const double velocity = (now - last) * view->model->step_rate;
-  return 0.5 * (velocity * velocity + view->model->modes.stiffness[mode] * now * last);
+  const TaborModel *model = view->model;
+  return 0.5 * tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
+                              view->last.q[mode]);
 }
 
 static bool is_quiet(const TbView *view, uint32_t from) {
@@ -57,7 +59,7 @@ static void stop(TbView *view, uint32_t from, uint32_t end) {
 /* Without losses nothing dies away. */
 static bool goes_on(const TbView *view) {
   if (!view->model->def.quality.losses) return true;
-  if (view->incident.now != 0.0 && !view->incident.low) return true;
+  if (tb_incident_pushes_all(view)) return true;
   for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
     const TbSlot *s = tb_slot(view, slot);
     if (s->kind != TB_SLOT_FREE && s->kind != TB_SLOT_MUFFLER) return true;

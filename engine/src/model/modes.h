@@ -68,6 +68,12 @@ typedef struct TbPole {
 } TbPole;
 TbPole tb_pole(double omega, double decay_rate, double time_step);
 
+/* Twice the energy between two instants. */
+static inline double tb_pole_energy(double rate, double stiffness, double next, double now) {
+  const double velocity = (next - now) * rate;
+  return velocity * velocity + stiffness * next * now;
+}
+
 /* Converts the two instants of a motion from the recursion a0, b0 to a1, b1, whose steps are `ratio` times as
  * long, keeping phase and action (drum/swap.c). If either b is 0, there is no such mode, and the motion ends.
  * If either mode does not swing, place and velocity are kept. Audio-safe. */

@@ -8,7 +8,7 @@
 static const double HEARD = 1e-6; /* of full scale: -120 dB */
 static const double FELT = 1e-11; /* [J] */
 
-/* Pressure per swing of a mode [Pa/(m kg^1/2)] at the microphone that hears it best, over its full scale. */
+/* Pressure per swing of a mode [1/(m kg^1/2)] at the microphone that hears it best, over its full scale. */
 static double loudness(const TaborModel *model, uint32_t mode, double omega) {
   double most = 0.0;
   for (uint32_t i = 0; i < model->def.mic_count; i++) {
@@ -20,12 +20,12 @@ static double loudness(const TaborModel *model, uint32_t mode, double omega) {
 }
 
 static double most_energy(const TaborModel *model, uint32_t mode) {
-  const double count = (double)model->modes.count;
-  if (model->modes.row[mode] == TB_NO_MODE) return FELT / count;
+  const double count = (double)model->modes.count, felt = FELT / count;
+  if (model->modes.row[mode] == TB_NO_MODE) return felt;
   const double omega = model->head.modes[model->modes.row[mode]].omega;
   const double heard = loudness(model, mode, omega);
   const double swing = omega * HEARD / (sqrt(count) * heard);
-  return heard > 0.0 ? fmin(FELT / count, 0.5 * swing * swing) : FELT / count;
+  return heard > 0.0 ? fmin(felt, 0.5 * swing * swing) : felt;
 }
 
 static void raise_floor(TaborModel *model, uint32_t mode) {
@@ -42,7 +42,6 @@ static void raise_floor(TaborModel *model, uint32_t mode) {
 static void find_floor(TaborModel *model) {
   const TbModes *modes = &model->modes;
   const TbLugs *lugs = &model->lugs;
-  if (modes->group[modes->groups] > 0) raise_floor(model, modes->group[modes->groups] - 1u);
   for (uint32_t group = 0; group < modes->groups; group++) {
     if (modes->group[group + 1] > modes->group[group])
       raise_floor(model, modes->group[group + 1] - 1u);

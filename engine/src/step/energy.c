@@ -11,8 +11,7 @@ static double oscillators(uint32_t n, double rate, const double *stiffness, cons
                           const double *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < n; i++) {
-    const double velocity = (next[i] - now[i]) * rate;
-    sum += velocity * velocity + stiffness[i] * next[i] * now[i];
+    sum += tb_pole_energy(rate, stiffness[i], next[i], now[i]);
   }
   return 0.5 * sum;
 }

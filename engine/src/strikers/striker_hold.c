@@ -5,9 +5,9 @@
 #include "math/portable_math.h"
 #include "strikers/stick.h"
 
-const double tb_hold_lift_time =
-  0.03; /* in it a hand lets go and pulls [s]: faster, the head would spring back like a plucked one, */
-static const double LIFT = 0.5; /* ... this hard in the end: 5 mm in 16 ms [N] */
+/* In it a hand lets go and pulls [s]: faster, the head would spring back like a plucked one. */
+const double tb_hold_lift_time = 0.03;
+static const double LIFT = 0.5; /* so hard it pulls in the end: 5 mm in 16 ms [N] */
 
 /* What a hand does where it presses a stick: at its tip, or at the shaft of one that lies across the drum. */
 typedef struct Hand {

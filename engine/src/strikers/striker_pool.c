@@ -46,15 +46,21 @@ static double modal_coupling(const TbView *view, uint32_t slot, uint32_t other) 
   return view->model->kernels->dot(view->model->modes.padded, drive, shape);
 }
 
-/* The same by the modes that move. */
-static double moving_coupling(const TbView *view, uint32_t slot, uint32_t other) {
-  const double *drive = tb_slot_drive(view, slot), *shape = tb_slot_shape(view, other);
+/* Sum x y over the modes of these ranges that move. */
+static double dot_of_moving(const TbView *view, TbModeRanges modes, const double *x,
+                            const double *y) {
   double sum = 0.0;
   for (uint32_t part = 0; part < view->moving.count; part++) {
     const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
-    sum += view->model->kernels->dot(count, drive + from, shape + from);
+    if (tb_modes_have(modes, from)) sum += view->model->kernels->dot(count, x + from, y + from);
   }
   return sum;
+}
+
+/* modal_coupling() by the modes that move. */
+static double moving_coupling(const TbView *view, uint32_t slot, uint32_t other) {
+  return dot_of_moving(view, tb_modes_all(&view->model->modes), tb_slot_drive(view, slot),
+                       tb_slot_shape(view, other));
 }
 
 /* Between the mufflers, the only slots in play while modes rest. */
@@ -125,14 +131,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
 }
 
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) {
-  const TbModeRanges modes = tb_slot_modes(view, slot);
-  const double *shape = tb_slot_shape(view, slot);
-  double sum = 0.0;
-  for (uint32_t part = 0; part < view->moving.count; part++) {
-    const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
-    if (tb_modes_have(modes, from)) sum += view->model->kernels->dot(count, shape + from, q + from);
-  }
-  return sum;
+  return dot_of_moving(view, tb_slot_modes(view, slot), tb_slot_shape(view, slot), q);
 }
 
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {

@@ -23,6 +23,13 @@ static inline TaborDrumDef physics_preset(const char *name) {
   return def;
 }
 
+/* Built-in presets come first, their tunings (`base`) after them: how many of the first. */
+static inline uint32_t physics_drum_count(void) {
+  uint32_t count = 0;
+  while (count < tabor_preset_count() && !tabor_preset(count)->base) count++;
+  return count;
+}
+
 /* An ideal membrane in a vacuum: without stiffness, stretching and internal losses. */
 static inline TaborDrumDef physics_membrane(void) {
   TaborDrumDef def;

@@ -163,16 +163,10 @@ static void place_mics(uint64_t *seed, TaborDrumDef *def) {
   }
 }
 
-/* The presets without their tunings. */
-static uint32_t drum_count(void) {
-  uint32_t count = 0;
-  while (count < tabor_preset_count() && !tabor_preset(count)->base) count++;
-  return count;
-}
-
 /* One value in three is drawn anew, corners among them; what must fit together is made to fit. */
 static void draw_definition(uint64_t *seed, TaborDrumDef *def) {
-  *def = physics_preset(tabor_preset((uint32_t)(physics_random(seed) % drum_count()))->name);
+  *def =
+    physics_preset(tabor_preset((uint32_t)(physics_random(seed) % physics_drum_count()))->name);
   const bool two_headed = physics_random(seed) % 2;
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *p = tabor_parameter(i);
@@ -427,7 +421,8 @@ static void random_playing_stays_finite_and_passive(void **state) {
   enum { MODELS = 24 };
   for (uint32_t m = 0; m < MODELS && m < sequences; m++) {
     const uint64_t name = seed;
-    TaborDrumDef def = playing_drum(tabor_preset(m % drum_count())->name, 1 + m % 4, m % 5 != 0);
+    TaborDrumDef def =
+      playing_drum(tabor_preset(m % physics_drum_count())->name, 1 + m % 4, m % 5 != 0);
     draw_newer(name, &def);
     TaborModel *model = model_of(&def, &seed, name, &tally);
     assert_non_null(model);

@@ -23,12 +23,26 @@ static void say(void *context, const char *line) {
   if (instance->log) instance->log->log(instance->host, CLAP_LOG_ERROR, text);
 }
 
+/* A KitPool's. CLAP has this call for the audio thread; the compiler cannot know that of a pointer. */
+static bool run_parts(void *context, uint32_t parts) {
+  const Instance *const instance = context;
+  return instance->threads->request_exec(instance->host, parts);
+}
+
+static void play_part(const clap_plugin_t *plugin, uint32_t part) {
+  Instrument *const instrument = instrument_of(plugin);
+  if (instrument->kind->calls->play_part) instrument->kind->calls->play_part(instrument, part);
+}
+
 static bool init(const clap_plugin_t *plugin) {
   Instance *const instance = instance_of(plugin);
   const clap_host_t *const host = instance->host;
   instance->log = host->get_extension(host, CLAP_EXT_LOG);
   instance->params = host->get_extension(host, CLAP_EXT_PARAMS);
   instance->note_names = host->get_extension(host, CLAP_EXT_NOTE_NAME);
+  instance->threads = host->get_extension(host, CLAP_EXT_THREAD_POOL);
+  instance->pool = (KitPool){.run = run_parts, .context = instance};
+  if (instance->threads) instance->instrument->pool = &instance->pool;
   return true;
 }
 
@@ -246,6 +260,8 @@ static clap_process_status process(const clap_plugin_t *plugin, const clap_proce
 
 /* ---- extensions ----------------------------------------------------------------------------- */
 
+static const clap_plugin_thread_pool_t thread_pool = {.exec = play_part};
+
 static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
   (void)plugin;
   static const struct {
@@ -259,6 +275,7 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
              {CLAP_EXT_LATENCY, &ports_latency},
              {CLAP_EXT_TAIL, &ports_tail},
              {CLAP_EXT_RENDER, &ports_render},
+             {CLAP_EXT_THREAD_POOL, &thread_pool},
              {CLAP_EXT_PRESET_LOAD, &presets_load},
              {CLAP_EXT_PRESET_LOAD_COMPAT, &presets_load},
              {CLAP_EXT_REMOTE_CONTROLS, &parameters_remote_controls},

@@ -22,9 +22,11 @@
 typedef struct Instance {
   clap_plugin_t plugin;
   const clap_host_t *host;
-  const clap_host_log_t *log; /**< or NULL, as the next two */
+  const clap_host_log_t *log; /**< or NULL, as the next three */
   const clap_host_params_t *params;
   const clap_host_note_name_t *note_names;
+  const clap_host_thread_pool_t *threads;
+  KitPool pool; /**< them */
   Instrument *instrument;
   WorkerThread thread;   /**< while the instrument is open */
   GuiLink link;          /**< main thread: its window */

@@ -159,6 +159,8 @@ static Outcome create_kit(LiveSession *session) {
     outcome = report_engine_error(&error);
   }
   if (outcome == OUTCOME_OK) outcome = kit_sample_files_read(session->kit);
+  session->threads = kit_threads_begin(request->threads, !request->backend->waits, NULL);
+  if (session->kit) kit_threads_serve(session->threads, session->kit);
   kit_models_release(models);
   return outcome;
 }
@@ -446,6 +448,7 @@ void live_session_close(LiveSession *session, Outcome outcome) {
   player_destroy(session->player);
   tabor_drum_destroy(session->drum); /* before swaps whose former drums they may still play */
   tabor_kit_destroy(session->kit);
+  kit_threads_end(session->threads);
   for (uint32_t i = 0; i < session->drum_count; i++) model_builder_destroy(session->builders[i]);
   (void)pthread_mutex_destroy(&session->sending);
   cue_queue_free(&session->queue);

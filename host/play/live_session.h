@@ -9,6 +9,7 @@
 
 #include <pthread.h>
 
+#include "kit/kit_threads.h"
 #include "play/cue_queue.h"
 #include "play/model_builder.h"
 #include "play/play_midi.h"
@@ -21,6 +22,7 @@ typedef struct LiveSession {
   BackendFacts facts;
   TaborDrum *drum; /**< or a kit */
   TaborKit *kit;
+  KitThreads *threads;                     /**< of the kit, or NULL */
   ModelBuilder *builders[TABOR_KIT_DRUMS]; /**< of each drum of the kit, or of the drum */
   uint32_t drum_count;
   pthread_mutex_t sending; /**< of the builders */

@@ -13,6 +13,7 @@
 #include "midi/midi_input.h"
 #include "midi/midi_mask.h"
 #include "midi/midi_options.h"
+#include "render/render_options.h"
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
 
@@ -47,6 +48,7 @@ const Option play_options[] = {
    "microphone, a channel each (repeatable; default: the preset's first, everywhere)"},
   OPTION_STEREO,
   {"gain", 0, "DB", "amplification, -120 to 120 (default 0)"},
+  {"jobs", 'j', "N", "threads that compute a kit, 1 to 256 (default: the number of processors)"},
   {"no-ui", 0, NULL, "no screen: print lines instead"},
   {0},
 };
@@ -68,6 +70,7 @@ static Outcome read_numbers(const Arguments *arguments, PlayRequest *request) {
   if (outcome == OUTCOME_OK) {
     outcome = humanize_read(arguments, HUMANIZE_LIVE, &request->humanizer);
   }
+  if (outcome == OUTCOME_OK) outcome = render_threads_read(arguments, &request->threads);
   request->gain = pow(10, gain_db / 20);
   return outcome;
 }

@@ -36,7 +36,8 @@ typedef struct PlayRequest {
   BackendRequest device;
   RecordRequest record; /**< its rate is the device's */
   bool logs;
-  OutputFile log; /**< planned, if logs */
+  OutputFile log;   /**< planned, if logs */
+  uint32_t threads; /**< that compute a kit */
   bool json, quiet, no_ui;
 } PlayRequest;
 

@@ -15,6 +15,7 @@
 
 #include <stdatomic.h>
 
+#include "kit/kit_threads.h"
 #include "midi/midi_map.h"
 #include "plugin/builder.h"
 #include "plugin/knob.h"
@@ -81,6 +82,7 @@ struct Instrument {
   const InstrumentKind *kind;
   void (*say)(void *context, const char *line); /**< to the host's log; WORKER and MAIN; or NULL */
   void *context;
+  const KitPool *pool;    /**< the host's threads: set before it is open; or NULL */
   bool has_movable_knobs; /**< the shell can move the host's knobs: set before it is open */
   KnobRange ranges[INSTRUMENT_KNOBS];
   _Atomic float values[INSTRUMENT_KNOBS]; /**< of the knobs, in their own units */
@@ -157,6 +159,8 @@ struct InstrumentCalls {
     const Instrument *instrument) REALTIME; /**< of messages: play before there are more */
   void (*play)(Instrument *instrument,
                uint32_t end) REALTIME; /**< up to frame @p end of the block */
+  /** On a thread of the pool: a part of what is being played. */
+  void (*play_part)(Instrument *instrument, uint32_t part) REALTIME;
   void (*strike)(Instrument *instrument, const WindowStroke *stroke) REALTIME;
   void (*show)(Instrument *instrument) REALTIME;             /**< the window what has been played */
   bool (*is_ready)(const Instrument *instrument) REALTIME;   /**< what sounds is what is wanted */

@@ -13,9 +13,10 @@
 typedef struct KitInstrument {
   Instrument base;
   OwnKit own;
-  TaborKitDef *named; /* the kit whose notes have names, or NULL */
-  float named_kit;    /* value of its knob */
-  unsigned named_own; /* version of the own kit, if that is it */
+  TaborKitDef *named;  /* the kit whose notes have names, or NULL */
+  float named_kit;     /* value of its knob */
+  unsigned named_own;  /* version of the own kit, if that is it */
+  KitThreads *threads; /* while it is open, or NULL */
   KitWorker worker;
   KitPluginPlayer player;
 } KitInstrument;
@@ -56,7 +57,8 @@ static void say(void *context, const char *line) { instrument_say(context, line)
 
 static bool open(Instrument *instrument, double rate) {
   KitInstrument *const kit = kit_of(instrument);
-  kit_worker_begin(&kit->worker, rate, &kit->own, say, instrument);
+  kit->threads = kit_threads_begin(kit_threads_usual(), true, instrument->pool);
+  kit_worker_begin(&kit->worker, rate, &kit->own, kit->threads, say, instrument);
   kit_plugin_player_begin(&kit->player, &kit->worker);
   return true;
 }
@@ -64,6 +66,7 @@ static bool open(Instrument *instrument, double rate) {
 static void close(Instrument *instrument) {
   kit_plugin_player_end(player_of(instrument));
   kit_worker_end(&kit_of(instrument)->worker);
+  kit_threads_end(kit_of(instrument)->threads);
 }
 
 static void work(Instrument *instrument) { kit_worker_work(&kit_of(instrument)->worker); }
@@ -204,6 +207,10 @@ static void play(Instrument *instrument, uint32_t end) REALTIME {
   instrument->at = player_of(instrument)->at;
 }
 
+static void play_part(Instrument *instrument, uint32_t part) REALTIME {
+  kit_threads_part(kit_of(instrument)->threads, part);
+}
+
 static void strike(Instrument *instrument, const WindowStroke *stroke) REALTIME {
   kit_plugin_player_strike(player_of(instrument), stroke);
 }
@@ -255,6 +262,7 @@ const InstrumentCalls kit_instrument = {.size = sizeof(KitInstrument),
                                         .choke = choke,
                                         .take = take,
                                         .play = play,
+                                        .play_part = play_part,
                                         .strike = strike,
                                         .show = show,
                                         .is_ready = is_settled,

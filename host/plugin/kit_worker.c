@@ -17,11 +17,12 @@ void kit_voice_destroy(KitVoice *voice) {
 
 /* ---- beginning and end ---------------------------------------------------------------------- */
 
-void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, BuilderSayFn *say,
-                      void *context) {
+void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, KitThreads *threads,
+                      BuilderSayFn *say, void *context) {
   memset(worker, 0, sizeof *worker);
   builder_begin(&worker->builder, rate, say, context);
   worker->own = own;
+  worker->threads = threads;
 }
 
 static void free_retired(KitWorker *worker) {
@@ -96,6 +97,7 @@ static TaborStatus fill_voice(KitWorker *worker, TaborKitDef *def, KitVoice *voi
   if (status == TABOR_OK) status = follow(worker, voice, error);
   if (status == TABOR_OK) status = load_sounds(worker, voice, error);
   if (status != TABOR_OK) return status;
+  kit_threads_serve(worker->threads, voice->kit);
   kit_midi_begin(&voice->midi, def, &setup);
   return status;
 }

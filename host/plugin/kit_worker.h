@@ -10,6 +10,7 @@
 #define TABOR_PLUGIN_KIT_WORKER_H
 
 #include "kit/kit_midi.h"
+#include "kit/kit_threads.h"
 #include "plugin/builder.h"
 #include "plugin/kit_knobs.h"
 
@@ -25,7 +26,8 @@ typedef struct KitVoice {
 
 typedef struct KitWorker {
   Builder builder;
-  OwnKit *own; /**< outlives the worker */
+  OwnKit *own;         /**< outlives the worker, as the next */
+  KitThreads *threads; /**< that compute kits, or NULL */
 
   float wanted[KIT_KNOB_COUNT]; /**< the request */
   const KitVoice *playing;      /**< whose drums the kit is to go on with, or NULL */
@@ -37,8 +39,8 @@ typedef struct KitWorker {
 
 /* SET-UP */
 
-void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, BuilderSayFn *say,
-                      void *context);
+void kit_worker_begin(KitWorker *worker, double rate, OwnKit *own, KitThreads *threads,
+                      BuilderSayFn *say, void *context);
 /** Frees everything that was not taken. Call while no worker works. */
 void kit_worker_end(KitWorker *worker);
 void kit_voice_destroy(KitVoice *voice);

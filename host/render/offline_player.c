@@ -54,7 +54,8 @@ static Outcome open_kit(OfflinePlayer *player) {
   for (uint32_t i = 0; i < request->kit->drum_count; i++) {
     player->models[i] = (TaborModel *)tabor_drum_model(tabor_kit_drum(player->kit, i));
   }
-  player->threads = kit_threads_begin(player->kit, request->threads);
+  player->threads = kit_threads_begin(request->threads, false, NULL);
+  kit_threads_serve(player->threads, player->kit);
   drum_player_begin(&player->core, 2 + 2 * request->kit->drum_count, request->gain);
   drum_player_set_kit(&player->core, player->kit, rate);
   return OUTCOME_OK;
@@ -253,7 +254,7 @@ Outcome offline_player_play_traced(OfflinePlayer *player, uint32_t frames, Trace
 }
 
 void offline_player_free(OfflinePlayer *player) {
-  kit_threads_end(player->threads, player->kit);
+  kit_threads_end(player->threads);
   room_mix_free(&player->room);
   tabor_drum_destroy(player->drum);
   tabor_kit_destroy(player->kit);

@@ -51,7 +51,7 @@ tabor_add_fuzz_target(manifest 1000 tabor-host)
 # The CLAP plugins, with the host of their tests.
 tabor_add_fuzz_target(clap 500 tabor-clap-archive)
 if(TARGET fuzz_clap)
-  target_sources(fuzz_clap PRIVATE support/clap_host.c)
+  target_sources(fuzz_clap PRIVATE support/clap_host.c support/host_threads.c)
   target_include_directories(fuzz_clap PRIVATE "${CMAKE_CURRENT_SOURCE_DIR}/support" ${CMOCKA_INCLUDE_DIRS})
   target_link_libraries(fuzz_clap PRIVATE tabor-host-core Tabor::tabor ${CMOCKA_LINK_LIBRARIES} Threads::Threads
                                           ${CMAKE_DL_LIBS})

@@ -70,15 +70,30 @@ static bool stop_timer(const clap_host_t *host, clap_id id) {
   return true;
 }
 
+static void exec(void *context, uint32_t task) {
+  const ClapHost *const own = context;
+  const clap_plugin_thread_pool_t *const pool = clap_host_extension(own, CLAP_EXT_THREAD_POOL);
+  pool->exec(own->plugin, task);
+}
+
+static bool request_exec(const clap_host_t *host, uint32_t count) {
+  ClapHost *const own = host->host_data;
+  if (own->refuses_threads) return false;
+  host_threads_run(own->threads, exec, own, count);
+  return true;
+}
+
 static const void *extension(const clap_host_t *host, const char *id) {
   static const clap_host_timer_support_t timers = {start_timer, stop_timer};
   static const clap_host_log_t log = {.log = say};
   static const clap_host_params_t params = {rescan, clear, request};
   static const clap_host_preset_load_t presets = {refuse, note_preset};
-  (void)host;
+  static const clap_host_thread_pool_t pool = {request_exec};
+  const bool has_threads = ((const ClapHost *)host->host_data)->threads != NULL;
   if (strcmp(id, CLAP_EXT_LOG) == 0) return &log;
   if (strcmp(id, CLAP_EXT_PARAMS) == 0) return &params;
   if (strcmp(id, CLAP_EXT_TIMER_SUPPORT) == 0) return &timers;
+  if (strcmp(id, CLAP_EXT_THREAD_POOL) == 0) return has_threads ? &pool : NULL;
   return strcmp(id, CLAP_EXT_PRESET_LOAD) == 0 ? &presets : NULL;
 }
 
@@ -113,7 +128,8 @@ static void find_ports(ClapHost *host) {
 
 typedef const void *ExtensionFn(const clap_host_t *host, const char *id);
 
-static ClapHost *open_with(const clap_plugin_entry_t *entry, const char *id, ExtensionFn *of_host) {
+static ClapHost *open_with(const clap_plugin_entry_t *entry, const char *id, ExtensionFn *of_host,
+                           HostThreads *threads) {
   const clap_plugin_factory_t *const factory = entry->get_factory(CLAP_PLUGIN_FACTORY_ID);
   ClapHost *const host = calloc(1, sizeof *host);
   assert_non_null(factory);
@@ -128,6 +144,7 @@ static ClapHost *open_with(const clap_plugin_entry_t *entry, const char *id, Ext
                              .request_restart = request,
                              .request_process = request_block,
                              .request_callback = request_callback};
+  host->threads = threads;
   host->stereo = strcmp(id, ID_DRUM) == 0;
   host->plugin = factory->create_plugin(factory, &host->host, id);
   assert_non_null(host->plugin);
@@ -137,11 +154,16 @@ static ClapHost *open_with(const clap_plugin_entry_t *entry, const char *id, Ext
 }
 
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id) {
-  return open_with(entry, id, extension);
+  return open_with(entry, id, extension, NULL);
+}
+
+ClapHost *clap_host_open_threaded(const clap_plugin_entry_t *entry, const char *id,
+                                  HostThreads *threads) {
+  return open_with(entry, id, extension, threads);
 }
 
 ClapHost *clap_host_scan(const clap_plugin_entry_t *entry, const char *id) {
-  return open_with(entry, id, no_extension);
+  return open_with(entry, id, no_extension, NULL);
 }
 
 void clap_host_activate(ClapHost *host) {

@@ -9,6 +9,7 @@
 #include <clap/clap.h>
 
 #include "clap/instance.h"
+#include "host_threads.h"
 #include "midi/midi_stream.h"
 #include "plugin/kit_knobs.h"
 #include "plugin/knobs.h"
@@ -32,6 +33,8 @@ typedef struct ClapHost {
   clap_host_t host;
   const clap_plugin_t *plugin;
   bool stereo, is_active;
+  HostThreads *threads;                    /**< that the plugin may use, or NULL; the user's */
+  bool refuses_threads;                    /**< from now on */
   uint32_t port_count, widths[CLAP_PORTS]; /**< outputs, and channels of each */
   ClapEvent events[CLAP_EVENTS];           /**< of the next block, in order of time */
   uint32_t event_count, ended; /**< ended: number of note ends that the plugin has sent */
@@ -59,7 +62,10 @@ typedef struct ClapState {
 const clap_plugin_entry_t *clap_host_entry(const char *binary);
 /** Creates the plugin @p id at its defaults; not active. */
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
-/** The same with a host that has no extensions, as hosts that scan have none. */
+/** The same with a host that has threads for plugins. */
+ClapHost *clap_host_open_threaded(const clap_plugin_entry_t *entry, const char *id,
+                                  HostThreads *threads);
+/** The first with a host that has no extensions, as hosts that scan have none. */
 ClapHost *clap_host_scan(const clap_plugin_entry_t *entry, const char *id);
 void clap_host_close(ClapHost *host);
 /** Activates at 48 kHz. */

@@ -27,8 +27,7 @@ static unsigned random_songs = 1;
 static const char rendered[] = "render -o";
 
 /* Active and offline, at draft. */
-static ClapHost *open_kit(double kit) {
-  ClapHost *const host = clap_host_open(entry, ID_KIT);
+static ClapHost *activate_kit(ClapHost *host, double kit) {
   clap_host_set_id(host, 0, KIT_KNOB_KIT, kit);
   clap_host_set_id(host, 0, KIT_KNOB_QUALITY, 0);
   clap_host_flush(host);
@@ -36,6 +35,8 @@ static ClapHost *open_kit(double kit) {
   clap_host_activate(host);
   return host;
 }
+
+static ClapHost *open_kit(double kit) { return activate_kit(clap_host_open(entry, ID_KIT), kit); }
 
 static void same_mix(double kit, const char *options, const uint32_t *blocks, size_t count) {
   Take expected, take;
@@ -57,6 +58,27 @@ static void the_mix_is_that_of_render(void **state) {
   static const uint32_t blocks[] = {0, 37, CLAP_BLOCK};
   song_write_all();
   same_mix(0, "--kit standard --quality draft", blocks, brief ? 1 : 3);
+}
+
+/* Those of the host, which gives them, or says no. */
+static void threads_change_no_bit(void **state) {
+  (void)state;
+  HostThreads *const threads = host_threads_begin(2);
+  Take expected, take;
+  take_open(&expected, 2);
+  take_open(&take, 2);
+  take_from(rendered, "--kit standard --quality draft -j 1", NULL, &expected);
+  for (int i = 0; i < 2; i++) {
+    ClapHost *const host = activate_kit(clap_host_open_threaded(entry, ID_KIT, threads), 0);
+    host->refuses_threads = i == 1;
+    clap_host_play(host, 128, 0, &take);
+    take_compare(&expected, &take, 128);
+    clap_host_close(host);
+  }
+  assert_true(host_threads_runs(threads) > 0);
+  host_threads_end(threads);
+  take_close(&expected);
+  take_close(&take);
 }
 
 static void each_drum_is_that_of_split(void **state) {
@@ -507,6 +529,7 @@ int main(int argc, char **argv) {
   if (!songs_begin(argv[1], argc != 5)) return 1;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_mix_is_that_of_render),
+    cmocka_unit_test(threads_change_no_bit),
     cmocka_unit_test(each_drum_is_that_of_split),
     cmocka_unit_test(random_songs_are_those_of_render),
     cmocka_unit_test(random_kits_are_those_of_render),

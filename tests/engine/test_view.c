@@ -53,7 +53,7 @@ static double head_at(const Scene *scene, uint32_t head, double radius, double a
                       double bandwidth) {
   const TaborModel *model = scene->model;
   const TbView state = tb_view(scene->drum->state, model);
-  const double turn = (angle - model->def.wires.angle) * 0.017453292519943295;
+  const double turn = (angle - model->axis) * 0.017453292519943295;
   double *radial = calloc(model->head.row_count, sizeof *radial), sum = 0.0;
   double *shape = calloc(model->modes.padded, sizeof *shape);
   assert_true(radial && shape);

@@ -45,8 +45,9 @@ COUNTED(multiply, 8ull * blocks * n,
         (blocks, n, out, m, x))
 COUNTED(gather, (8ull * g->blocks + g->rest) * g->vectors * g->part, (const TB_TYPE(TbGather) * g),
         (g))
-COUNTED(mix, terms_of(mixing), (const TbMixing *mixing, const double *q, double *const out[2]),
-        (mixing, q, out))
+COUNTED(mix, terms_of(mixing),
+        (const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]),
+        (mixing, moving, q, out))
 COUNTED_RESULT(TbPair, ring, r->parts.part[r->parts.count - 1].end, (const TB_TYPE(TbRing) * r),
                (r))
 COUNTED(scatter, 8, (const TB_TYPE(TbScattering) * s), (s))

@@ -109,6 +109,52 @@ static void steps_half_as_long_keep_the_motion(void **state) {
 }
 
 /* Made for another model, it cannot act: the drum stays as it is, and the swap may be freed. */
+/* Modes count their angles from the drum's own stroke: with another one a head keeps its motion, whose copies turn. Off the centre
+ * and beside the stroke all copies move. */
+static void another_own_stroke_keeps_the_motion(void **state) {
+  (void)state;
+  TaborDrumDef def = two_heads(), other;
+  def.two_headed = 0;
+  def.quality.losses = 1;
+  other = def;
+  other.strike.angle = def.strike.angle + 50.0;
+  TaborModel *models[2] = {physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO),
+                           physics_model(&other, 48000.0, TABOR_QUALITY_STUDIO)};
+  TaborDrum *drum = physics_drum(models[0]), *same = physics_drum(models[0]);
+  TaborEvent strike = physics_strike(&def);
+  strike.radius = 0.6 * def.shell.radius;
+  strike.angle = def.strike.angle + 20.0;
+  for (int i = 0; i < 2; i++) tabor_drum_process(i ? same : drum, &strike, 1, NULL, 4800);
+  TaborSwap *swap = exchange(drum, models[0], models[1]);
+  tabor_drum_process(same, NULL, 0, NULL, TOGGLE);
+  const double energy = stored(same), away = fabs(stored(drum) / energy - 1.0);
+  /* The same stroke there anew tells where the head is: its stick meets the same motion. */
+  TaborProbe probe, expected;
+  double most = 0.0, worst = 0.0;
+  TaborEvent again = strike;
+  again.radius = 0.3 * def.shell.radius;
+  again.angle = def.strike.angle + 130.0;
+  tabor_drum_process(drum, &again, 1, NULL, 1);
+  tabor_drum_process(same, &again, 1, NULL, 1);
+  for (int frame = 0; frame < 480; frame++) {
+    tabor_drum_process(drum, NULL, 0, NULL, 1);
+    tabor_drum_process(same, NULL, 0, NULL, 1);
+    tabor_drum_probe(drum, &probe);
+    tabor_drum_probe(same, &expected);
+    most = fmax(most, fabs(expected.striker_force));
+    worst = fmax(worst, fabs(probe.striker_force - expected.striker_force));
+  }
+  print_message("energy %.1e away; the stick's force of %.2g N differs by %.1e N\n", away, most,
+                worst);
+  assert_true(away < 1e-9 && most > 1.0 && worst < 1e-6 * most);
+  tabor_drum_process(drum, NULL, 0, NULL, CROSSING);
+  assert_true(tabor_swap_done(swap));
+  tabor_swap_destroy(swap);
+  tabor_drum_destroy(same);
+  tabor_drum_destroy(drum);
+  for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
+}
+
 static void a_swap_for_another_model_is_dropped_and_done(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("frame-drum");
@@ -355,6 +401,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(a_tension_toggled_by_ten_per_cent_pumps_no_energy),
     cmocka_unit_test(steps_half_as_long_keep_the_motion),
+    cmocka_unit_test(another_own_stroke_keeps_the_motion),
     cmocka_unit_test(a_swap_for_another_model_is_dropped_and_done),
     cmocka_unit_test(old_drums_ring_out_by_name),
     cmocka_unit_test(the_oldest_of_many_fades_ends),

@@ -33,7 +33,10 @@ typedef struct TbMapping {
   bool continues; /* false: another instrument; the old drum rings out beside it */
   double step_from, step_to, ratio; /* k0, k1 [s], k1/k0 */
   uint32_t *mode;                   /* [padded of new]: old mode, or TB_NO_MODE */
-  double *scale;                    /* c of swap.c; 0 keeps place and velocity */
+  uint32_t
+    *twin; /* [padded of new]: the old mode's other copy where the axes differ, or TB_NO_MODE */
+  double *of_mode, *of_twin; /* parts of both that make the new mode */
+  double *scale;             /* c of swap.c; 0 keeps place and velocity */
   double *cos_old, *sin_old, *cos_new, *sin_new;
 } TbMapping;
 

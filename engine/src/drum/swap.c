@@ -6,7 +6,8 @@
  * With t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
  * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
- * which is right while only tensions, masses, losses or quality changed. For another radius,
+ * which is right while only tensions, masses, losses or quality changed; if the axis turns by d (TaborModel.axis), copies a and b
+ * become a cos(m d) + b sin(m d) and b cos(m d) - a sin(m d). For another radius,
  * boundary or side, and where the drum is to be replaced, the old drum rings out beside the new one.
  * Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy (c sin t1/k1)^2 then follows w1/w0 exactly;
  * what is no mode keeps place and velocity.
@@ -52,7 +53,7 @@ static bool continues(const TaborModel *a, const TaborModel *b) {
   return a->def.shell.radius == b->def.shell.radius && a->def.shell.depth == b->def.shell.depth &&
          a->def.shell.boundary == b->def.shell.boundary && a->def.two_headed == b->def.two_headed &&
          a->wires.count == b->wires.count && a->wires.head == b->wires.head &&
-         a->wires.side == b->wires.side && a->def.wires.angle == b->def.wires.angle;
+         a->wires.side == b->wires.side && (a->wires.count == 0 || a->axis == b->axis);
 }
 
 static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uint8_t sine) {
@@ -81,6 +82,18 @@ static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const T
     map->ratio == 1.0 ? sqrt(sines) : map->ratio * sines * sqrt(t1 / (t0 * map->ratio));
 }
 
+/* Copies of one frequency turn into each other. */
+static void map_twin(TbMapping *map, uint32_t i, const TaborModel *from, const TaborModel *to) {
+  const uint32_t m = to->head.modes[to->modes.row[i]].m;
+  const bool sine = to->modes.sine[i] != 0;
+  double sine_turn, cosine_turn;
+  if (from->axis == to->axis || m == 0) return;
+  map->twin[i] = find_mode(from, &to->head.modes[to->modes.row[i]], !sine);
+  tb_sin_cos_degrees(to->axis - from->axis, &sine_turn, &cosine_turn);
+  map->of_mode[i] = tb_angular(m, false, sine_turn, cosine_turn);
+  map->of_twin[i] = tb_angular(m, true, sine_turn, cosine_turn) * (sine ? -1.0 : 1.0);
+}
+
 bool tb_swap_map(TaborSwap *swap) {
   TbMapping *map = &swap->mapping;
   const TaborModel *from = swap->old_model, *to = swap->new_model;
@@ -93,7 +106,9 @@ bool tb_swap_map(TaborSwap *swap) {
   const uint32_t n = to->modes.padded;
   const bool same = from->fingerprint == to->fingerprint;
   map->mode = tb_arena_take(&swap->arena, n, sizeof *map->mode);
-  double **arrays[] = {&map->scale, &map->cos_old, &map->sin_old, &map->cos_new, &map->sin_new};
+  map->twin = tb_arena_take(&swap->arena, n, sizeof *map->twin);
+  double **arrays[] = {&map->scale,   &map->cos_old, &map->sin_old, &map->cos_new,
+                       &map->sin_new, &map->of_mode, &map->of_twin};
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(&swap->arena, n);
   }
@@ -101,22 +116,30 @@ bool tb_swap_map(TaborSwap *swap) {
   for (uint32_t i = 0; i < n; i++) {
     map->mode[i] =
       same ? i : TB_NO_MODE; /* those that stand for truncated modes, see wire_yield.h */
+    map->twin[i] = TB_NO_MODE;
     if (to->modes.row[i] == TB_NO_MODE) continue;
     const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
     if (map->mode[i] == TB_NO_MODE) continue;
     map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode);
+    map_twin(map, i, from, to);
   }
   return true;
 }
 
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
+/* What was the new mode i in an old instant. */
+static double turned(const TbMapping *map, uint32_t i, const double *q) {
+  const uint32_t twin = map->twin[i];
+  if (twin == TB_NO_MODE) return q[map->mode[i]];
+  return map->of_mode[i] * q[map->mode[i]] + map->of_twin[i] * q[twin];
+}
+
 static void carry_modes(const TbMapping *map, const TbView *from, TbView *to) {
   for (uint32_t i = 0; i < to->model->modes.padded; i++) {
-    const uint32_t source = map->mode[i];
-    if (source == TB_NO_MODE) continue;
-    const double q = from->now.q[source], last = from->last.q[source];
+    if (map->mode[i] == TB_NO_MODE) continue;
+    const double q = turned(map, i, from->now.q), last = turned(map, i, from->last.q);
     const double c = map->scale[i];
     if (c == 0.0) {
       to->now.q[i] = q;
@@ -328,7 +351,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   state->quiet_checks = from->state->quiet_checks;
   state->hushed = from->state->hushed;
   state->stretches = from->state->stretches;
-  tb_moving_wake(to, tb_modes_all(&to->model->modes));
+  (void)tb_moving_wake(to, NULL);
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);
   carry_live(from, to, ratio);

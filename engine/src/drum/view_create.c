@@ -95,7 +95,7 @@ static void prepare_turn(TbViewTables *view) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS], sine, cosine;
   const uint32_t angles = view->seen.angles;
   for (uint32_t j = 0; j < angles; j++) {
-    tb_sin_cos_degrees(TURN_DEGREES * j / angles - view->model->def.wires.angle, &sine, &cosine);
+    tb_sin_cos_degrees(TURN_DEGREES * j / angles - view->model->axis, &sine, &cosine);
     tb_angular_factors(view->orders, sine, cosine, c, s);
     for (uint32_t m = 0; m < view->orders; m++) {
       view->turn[(2 * m) * angles + j] = c[m];

@@ -9,16 +9,32 @@
 /* Fewer modes more at rest are not worth the look at everything that sums over modes. */
 static const uint32_t WORTH = 64;
 
-void tb_moving_wake(TbView *view, TbModeRanges pushed) {
+static bool moves(const double *shape, uint32_t from, uint32_t end) {
+  for (uint32_t i = from; i < end; i++) {
+    if (shape[i] != 0.0) return true;
+  }
+  return false;
+}
+
+/* Modes that mix push their kin. */
+bool tb_moving_wake(TbView *view, const double *shape) {
   const TbParts *parts = &view->model->stretch.parts;
   uint32_t *moving = view->state->moving;
+  bool pushed[TB_MODE_PARTS], kin[TB_MODE_PARTS] = {true}, woken = false;
+  for (uint32_t part = 0; part < parts->count; part++) {
+    pushed[part] = !shape || moves(shape, parts->from[part], parts->end[part]);
+    if (pushed[part]) kin[parts->kin[part]] = true;
+  }
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint32_t all = parts->end[part] - parts->from[part];
-    /* Modes that mix push each other. */
-    const uint32_t least = tb_modes_have(pushed, parts->from[part]) ? all : parts->mixed[part];
-    if (moving[part] < least) moving[part] = least;
+    const uint32_t mixed = kin[parts->kin[part]] ? parts->mixed[part] : 0u;
+    const uint32_t least = pushed[part] ? all : mixed;
+    if (moving[part] >= least) continue;
+    moving[part] = least;
+    woken = true;
   }
-  tb_view_move(view);
+  if (woken) tb_view_move(view);
+  return woken;
 }
 
 /* ---- coming to rest --------------------------------------------------------------------------- */
@@ -69,17 +85,20 @@ static bool goes_on(const TbView *view) {
 
 bool tb_moving_rest(TbView *view) {
   const TbParts *parts = &view->model->stretch.parts;
-  bool rests = false;
+  uint32_t left[TB_MODE_PARTS], more = 0;
+  bool is_least = true;
   if (goes_on(view)) return false;
   for (uint32_t part = 0; part < parts->count; part++) {
-    uint32_t *moving = &view->state->moving[part];
-    const uint32_t left = left_of(view, part);
-    if (*moving == left || (*moving - left < WORTH && left > view->model->resting.floor[part]))
-      continue;
-    stop(view, parts->from[part] + left, parts->from[part] + *moving);
-    *moving = left;
-    rests = true;
+    left[part] = left_of(view, part);
+    more += view->state->moving[part] - left[part];
+    is_least = is_least && left[part] == view->model->resting.floor[part];
   }
-  if (rests) tb_view_move(view);
-  return rests;
+  if (more == 0 || (more < WORTH && !is_least)) return false;
+  for (uint32_t part = 0; part < parts->count; part++) {
+    const uint32_t from = parts->from[part];
+    stop(view, from + left[part], from + view->state->moving[part]);
+    view->state->moving[part] = left[part];
+  }
+  tb_view_move(view);
+  return true;
 }

@@ -4,15 +4,16 @@
  *
  * Modes come to rest from a part's end on, while no striker is in play, where they hold less than can be heard or felt
  * (model/resting.h); what they held is booked as lost in the head. They move again as soon as a striker, a hand or sound from
- * outside is about to push them. Those that wires, uneven lugs or other drums may push never rest (TbResting.floor).
+ * outside is about to push them: the drum's own stroke leaves whole parts at rest (modes.h). Those that
+ * wires, uneven lugs or other drums may push never rest (TbResting.floor).
  * Audio-safe. */
 #ifndef TB_MOVING_MODES_H
 #define TB_MOVING_MODES_H
 
 #include "state/state.h"
 
-/* Call before something pushes these modes. */
-void tb_moving_wake(TbView *view, TbModeRanges pushed);
+/* Call before something pushes the modes where shape[padded] is not 0; NULL: all. True if some of them rested. */
+bool tb_moving_wake(TbView *view, const double *shape);
 /* Call now and then, between two steps. True if more modes rest than before: what is kept of sums over modes is then outdated. */
 bool tb_moving_rest(TbView *view);
 

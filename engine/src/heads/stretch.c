@@ -59,9 +59,10 @@ static void prepare_grid(TbView *view) {
 /* With single precision, G off its diagonal loses or creates energy as rounding has it: some 1e-8 of what it stores. */
 static void mix(const TbView *view, const double *q) {
   const TaborModel *model = view->model;
-  void (*const mixes[])(const TbMixing *mixing, const double *x, double *const out[2]) = {
+  void (*const mixes[])(const TbMixing *mixing, const TbParts *moving, const double *x,
+                        double *const out[2]) = {
     [TB_IN_DOUBLE] = model->kernels->mix, [TB_IN_FLOAT] = model->kernelsf->mix};
-  mixes[model->precision](&model->stretch.mixing, q, view->stretch.mixed);
+  mixes[model->precision](&model->stretch.mixing, &view->moving, q, view->stretch.mixed);
 }
 
 /* next^T G now of head h off the diagonal, after mix() of now. */

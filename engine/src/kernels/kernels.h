@@ -23,14 +23,14 @@ typedef struct TbPair {
   double first, second;
 } TbPair;
 
-enum { TB_MODE_PARTS = 7 };
+enum { TB_MODE_PARTS = 13 };
 
 /* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads whose bits are set in
- * heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with others. Those behind them, up to end[i], stretch
- * none. */
+ * heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with others: of parts of the same kin, and of those of kin
+ * 0. Those behind them, up to end[i], stretch none. */
 typedef struct TbParts {
   uint32_t count, from[TB_MODE_PARTS], size[TB_MODE_PARTS], mixed[TB_MODE_PARTS],
-    end[TB_MODE_PARTS], heads[TB_MODE_PARTS];
+    end[TB_MODE_PARTS], heads[TB_MODE_PARTS], kin[TB_MODE_PARTS];
 } TbParts;
 
 /* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows stand 8 side by side, those
@@ -38,6 +38,7 @@ typedef struct TbParts {
 typedef struct TbMixingBlock {
   uint32_t count;
   const uint32_t *mode; /* [count] */
+  const uint8_t *part;  /* [count]: where it stands */
   const double *matrix; /* [heads count/8 rounded up][count][8], the diagonals 0 */
   const float *rounded; /* the same for the kernels in single precision; one of both is NULL */
 } TbMixingBlock;

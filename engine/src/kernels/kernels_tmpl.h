@@ -104,8 +104,8 @@ typedef struct TB_TYPE(TbKernels) {
                    const TB_REAL *x);
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
   void (*gather)(const TB_TYPE(TbGather) * gather);
-  /* out[h] = G q of head h off the diagonal, at the modes of the blocks. */
-  void (*mix)(const TbMixing *mixing, const double *q, double *const out[2]);
+  /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q` are 0. */
+  void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]);
   /* next = a now - b last + push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);

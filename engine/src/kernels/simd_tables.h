@@ -42,9 +42,9 @@ static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, uin
   for (uint32_t b = 0; b < count; b++) store(out + 8 * (block + b), sum[b]);
 }
 
-static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, uint32_t width,
-                                Real *out, const void *table, const Real *x) {
-  for (uint32_t b = 0, take; b < blocks; b += take) {
+static INLINE void multiply_all(bool rounded, uint32_t from, uint32_t blocks, uint32_t n,
+                                uint32_t width, Real *out, const void *table, const Real *x) {
+  for (uint32_t b = from, take; b < blocks; b += take) {
     take = share_of(blocks - b, MOST_SUMS);
     switch (take) { /* one copy of the code for each */
     case 1: multiply_blocks(rounded, 1, n, width, out, table, b, x); break;
@@ -64,7 +64,7 @@ static INLINE void multiply_all(bool rounded, uint32_t blocks, uint32_t n, uint3
 }
 
 static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, const Real *x) {
-  multiply_all(false, blocks, n, n, out, matrix, x);
+  multiply_all(false, 0, blocks, n, n, out, matrix, x);
 }
 
 /* ---- one or two vectors --------------------------------------------------------------------- */
@@ -170,26 +170,38 @@ static void gather(const Gather *g) {
 
 /* ---- modes that mix --------------------------------------------------------------------------- */
 
-/* Modes that rest, and copies that nothing has struck, are exactly zero. */
+/* So many modes move at most: those behind rest. */
+static INLINE uint32_t up_to_rest(const TbMixingBlock *block, const TbParts *moving) {
+  uint32_t n = block->count;
+  while (n > 0 && block->mode[n - 1u] >= moving->end[block->part[n - 1u]]) n--;
+  return n;
+}
+
+/* Copies that nothing has struck are exactly zero. */
 static INLINE uint32_t up_to_zeros(uint32_t n, const Real *x) {
   while (n > 0 && x[n - 1u] == REAL(0.0)) n--;
   return n;
 }
 
-static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
+static void mix(const TbMixing *mixing, const TbParts *moving, const double *q,
+                double *const out[2]) {
   _Alignas(64) Real x[TB_MIXING_MOST], y[2 * TB_MIXING_MOST];
   for (uint32_t b = 0; b < mixing->count; b++) {
     const TbMixingBlock block = mixing->block[b];
-    const uint32_t rows = (mixing->heads * block.count + 7u) / 8u;
+    const uint32_t n = up_to_rest(&block, moving);
+    if (n == 0) continue;
     const void *table = SINGLE ? (const void *)block.rounded : block.matrix;
     UNROLL(8)
-    for (uint64_t i = 0; i < block.count; i++) x[i] = (Real)q[block.mode[i]];
-    multiply_all(false, rows, up_to_zeros(block.count, x), block.count, y, table, x);
-    for (uint64_t h = 0; h < mixing->heads; h++) {
+    for (uint64_t i = 0; i < n; i++) x[i] = (Real)q[block.mode[i]];
+    const uint32_t columns = up_to_zeros(n, x);
+    uint32_t done = 0; /* blocks of rows */
+    for (uint32_t h = 0; h < mixing->heads; h++) {
+      const uint32_t first = h * block.count, from = first / 8u, end = (first + n + 7u) / 8u;
+      multiply_all(false, from > done ? from : done, end, columns, block.count, y, table, x);
+      done = end;
       double *const to = out[h];
-      const Real *from = y + h * block.count;
       UNROLL(8)
-      for (uint64_t i = 0; i < block.count; i++) to[block.mode[i]] = (double)from[i];
+      for (uint64_t i = 0; i < n; i++) to[block.mode[i]] = (double)y[first + i];
     }
   }
 }
@@ -197,7 +209,7 @@ static void mix(const TbMixing *mixing, const double *q, double *const out[2]) {
 #ifndef TB_FLOAT
 static void multiply_rounded(uint32_t blocks, uint32_t n, double *out, const float *matrix,
                              const double *x) {
-  multiply_all(true, blocks, n, n, out, matrix, x);
+  multiply_all(true, 0, blocks, n, n, out, matrix, x);
 }
 
 static void gather_rounded(const TbGather *g) {

@@ -89,7 +89,7 @@ void tb_brush_shapes_shape(const TaborModel *model, uint32_t striker, double rad
   const TbBrushShapes *places = &model->places[striker];
   const size_t ring = ring_of(model, striker, radius);
   double sine, cosine;
-  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
   tb_modes_turn(&model->modes, &model->head, places->rows + ring * model->head.row_count, sine,
                 cosine, shape);
   if (cosines_of(model) == 0) return;

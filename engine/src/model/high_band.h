@@ -113,7 +113,7 @@ TbWireContacts tb_high_band_push(const struct TaborModel *model, const double *f
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_high_band_patch(const TbHighBand *band, double patch_radius, double *patch);
 
-/* drive = -g phi at radius [m] and the angle from the wires' direction: the response to a unit
+/* drive = -g phi at radius [m] and the angle from the axis: the response to a unit
  * force on head `which`. Writes that head's part of drive[padded] alone. `patch` may be NULL.
  * Audio-safe. */
 void tb_high_band_drive(const TbHighBand *band, uint32_t which, double radius, double sin_angle,

@@ -147,8 +147,7 @@ bool tb_lug_matrix(const TaborModel *model, TbArena *scratch, const uint32_t *mo
   }
   for (uint32_t h = 0; h < model->head.heads; h++) {
     TbLugTension field;
-    const double turn =
-      model->def.wires.angle * PI / 180.0; /* modes count from the wires' direction */
+    const double turn = model->axis * PI / 180.0;
     if (!tb_lug_tension_prepare(&field, heads[h], turn)) continue;
     if (!add_head(&shapes, scratch, h, &field, heads[h]->tension, matrix)) return false;
   }

@@ -53,7 +53,7 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
                     uint32_t m, bool sine_copy, const double *field, double *ahead,
                     double *behind) {
   double sine, cosine;
-  tb_sin_cos_degrees(model->def.mic[index].angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(model->def.mic[index].angle - model->axis, &sine, &cosine);
   const double turn = omega * model->time_step;
   const double size = -omega * omega * model->def.air.density * model->head.radius *
                       tb_angular(m, sine_copy, sine, cosine);
@@ -78,15 +78,29 @@ static void push_weights(const TaborModel *model, const TaborMicDef *def, double
   *before = -size * 2.0 * v;
 }
 
+typedef struct Weights {
+  double ahead, behind, push_now, push_before;
+} Weights;
+
+static Weights weights_of(const TaborModel *model, uint32_t index, uint32_t row, bool sine) {
+  const TbHeadMode *mode = &model->head.modes[row];
+  const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
+  Weights w;
+  tb_mic_weights(model, index, mode->omega, &pole, mode->m, sine, mode->fields + 2 * index,
+                 &w.ahead, &w.behind);
+  push_weights(model, &model->def.mic[index], mode->omega, w.ahead, w.behind, &w.push_now,
+               &w.push_before);
+  return w;
+}
+
 static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
-    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
-    tb_mic_weights(model, index, mode->omega, &pole, mode->m, model->modes.sine[i],
-                   mode->fields + 2 * index, &mic->ahead[i], &mic->behind[i]);
-    push_weights(model, &model->def.mic[index], mode->omega, mic->ahead[i], mic->behind[i],
-                 &mic->push_now[i], &mic->push_before[i]);
+    const Weights w = weights_of(model, index, model->modes.row[i], model->modes.sine[i]);
+    mic->ahead[i] = w.ahead;
+    mic->behind[i] = w.behind;
+    mic->push_now[i] = w.push_now;
+    mic->push_before[i] = w.push_before;
   }
 }
 
@@ -95,14 +109,41 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
 static const double LOW = 2000.0;        /* [Hz] */
 static const double LEAST_WEIGHT = 1e-3; /* of the largest: -60 dB */
 
+static bool is_below(const TaborModel *model, uint32_t row) {
+  return row != TB_NO_MODE && model->head.modes[row].omega < 2.0 * PI * LOW;
+}
+
+/* push[2 row + sine] of modes that are low enough, for one microphone; returns the largest. */
+static double find_pushes(const TaborModel *model, uint32_t index, double *push) {
+  double largest = 0.0;
+  for (uint32_t i = 0; i < 2u * model->head.row_count; i++) {
+    push[i] = 0.0;
+    if (!is_below(model, i / 2u) || (i % 2u && model->head.modes[i / 2u].m == 0)) continue;
+    const Weights w = weights_of(model, index, i / 2u, i % 2u);
+    push[i] = fabs(w.push_now) + fabs(w.push_before);
+    largest = fmax(largest, push[i]);
+  }
+  return largest;
+}
+
+TaborStatus tb_mics_find_low(TaborModel *model, TbArena *scratch, uint8_t *low) {
+  const uint32_t count = 2u * model->head.row_count;
+  double *push = tb_arena_doubles(scratch, count);
+  if (!push) return TABOR_ERROR_MEMORY;
+  for (uint32_t index = 0; index < model->def.mic_count; index++) {
+    model->mics[index].travel = travel_steps(model, &model->def.mic[index]);
+    const double largest = find_pushes(model, index, push);
+    for (uint32_t i = 0; i < count; i++) low[i] |= push[i] > LEAST_WEIGHT * largest;
+  }
+  return TABOR_OK;
+}
+
 static double push_of(const TbMic *mic, uint32_t mode) {
   return fabs(mic->push_now[mode]) + fabs(mic->push_before[mode]);
 }
 
 static bool is_low(const TaborModel *model, const TbMic *mic, uint32_t mode, double largest) {
-  const uint32_t row = model->modes.row[mode];
-  if (row == TB_NO_MODE || !(push_of(mic, mode) > LEAST_WEIGHT * largest)) return false;
-  return model->head.modes[row].omega < 2.0 * PI * LOW;
+  return is_below(model, model->modes.row[mode]) && push_of(mic, mode) > LEAST_WEIGHT * largest;
 }
 
 static void take_low_mode(const TbMic *mic, const TbModes *modes, uint32_t mode, TbLowModes *low) {
@@ -121,7 +162,9 @@ static TaborStatus list_low_modes(TaborModel *model, TbMic *mic) {
   TbLowModes *low = &mic->low;
   double largest = 0.0;
   uint32_t count = 0;
-  for (uint32_t i = 0; i < modes->padded; i++) largest = fmax(largest, push_of(mic, i));
+  for (uint32_t i = 0; i < modes->padded; i++) {
+    if (is_below(model, modes->row[i])) largest = fmax(largest, push_of(mic, i));
+  }
   for (uint32_t i = 0; i < modes->padded; i++) count += is_low(model, mic, i, largest);
   double **const arrays[] = {&low->ahead,  &low->behind, &low->now,
                              &low->before, &low->g_now,  &low->g_before};
@@ -140,7 +183,6 @@ static TaborStatus list_low_modes(TaborModel *model, TbMic *mic) {
 TaborStatus tb_mics_prepare(TaborModel *model) {
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     TbMic *mic = &model->mics[index];
-    mic->travel = travel_steps(model, &model->def.mic[index]);
     mic->delay = mic->travel - (uint32_t)fmin(mic->travel, model->steps > 1 ? TB_HALVE_STEPS : 0);
     tb_mic_response_prepare(&mic->response, model->def.mic[index].response, model->sample_rate);
     mic->ahead = tb_arena_doubles(&model->arena, model->modes.padded);

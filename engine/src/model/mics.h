@@ -12,6 +12,9 @@ struct TaborModel;
  * (state/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later. */
 enum { TB_HALVE_STEPS = 4 };
 
+/* Finds which modes of head.modes other drums' sound moves at some microphone: low[2 row + sine]. Call before the modes are listed;
+ * sets the microphones' travel. */
+TaborStatus tb_mics_find_low(struct TaborModel *model, TbArena *scratch, uint8_t *low);
 /* Computes weights, delays and frequency responses of all microphones, into model->mics. */
 TaborStatus tb_mics_prepare(struct TaborModel *model);
 

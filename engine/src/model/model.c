@@ -23,7 +23,7 @@
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape) {
   double sine, cosine;
-  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
   tb_head_radial(&model->head, which, radius, patch, radial);
   tb_head_add_lift(&model->head, radius, radial);
   tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
@@ -31,7 +31,7 @@ void tb_model_shape(const TaborModel *model, uint32_t which, double radius, doub
 
 void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, double *shape) {
   double sine, cosine;
-  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
   tb_head_hoop(&model->head, radial);
   tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
 }
@@ -39,7 +39,7 @@ void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, 
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
                          double *drive) {
   double sine, cosine;
-  tb_sin_cos_degrees(angle - model->def.wires.angle, &sine, &cosine);
+  tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
   tb_high_band_drive(&model->high, TABOR_HEAD_BATTER, radius, sine, cosine,
                      model->high_patches[striker], drive);
 }
@@ -149,30 +149,34 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
 }
 
 /* Modes and their projection, with `spare` modes at the end of each group. */
-static TaborStatus list_modes(TaborModel *model, TbArena *arena, const uint32_t *spare,
-                              TbModes *modes, TbProjection *projection) {
+static TaborStatus list_modes(TaborModel *model, TbArena *arena, const uint8_t *low,
+                              const uint32_t *spare, TbModes *modes, TbProjection *projection) {
   const TaborStatus status =
-    tb_modes_prepare(modes, arena, &model->head, &model->wires, spare, model->time_step);
+    tb_modes_prepare(modes, arena, &model->head, &model->wires, low, spare, model->time_step);
   if (status != TABOR_OK) return status;
   return tb_projection_prepare(projection, arena, modes, &model->head, &model->wires,
                                model->grid_tolerance);
 }
 
 /* The modes that stand for those left out depend on the grid, which depends on the others. */
-static TaborStatus prepare_yield(TaborModel *model, TbArena *scratch, TbWireYield *yield) {
+static TaborStatus prepare_yield(TaborModel *model, TbArena *scratch, const uint8_t *low,
+                                 TbWireYield *yield) {
   TbModes modes;
   TbProjection projection = model->projection;
   if (!tb_wire_yields(model)) return TABOR_OK;
-  const TaborStatus status = list_modes(model, scratch, NULL, &modes, &projection);
+  const TaborStatus status = list_modes(model, scratch, low, NULL, &modes, &projection);
   if (status != TABOR_OK) return status;
   return tb_wire_yield_prepare(yield, scratch, model, &projection);
 }
 
 static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
   TbWireYield yield = {.count = {0}};
-  TaborStatus status = prepare_yield(model, scratch, &yield);
+  uint8_t *low = tb_arena_take(scratch, 2u * model->head.row_count, sizeof *low);
+  if (!low) return TABOR_ERROR_MEMORY;
+  TaborStatus status = tb_mics_find_low(model, scratch, low);
+  if (status == TABOR_OK) status = prepare_yield(model, scratch, low, &yield);
   if (status != TABOR_OK) return status;
-  status = list_modes(model, &model->arena, yield.count, &model->modes, &model->projection);
+  status = list_modes(model, &model->arena, low, yield.count, &model->modes, &model->projection);
   if (status != TABOR_OK) return status;
   tb_wire_yield_apply(&yield, &model->modes, &model->projection, model->wires.side,
                       model->time_step);
@@ -259,6 +263,8 @@ static uint64_t fingerprint(const TaborModel *model) {
   hash = hash_bytes(hash, &model->wires.stride, sizeof model->wires.stride);
   hash = hash_bytes(hash, &model->layout, sizeof model->layout);
   hash = hash_bytes(hash, model->modes.a, model->modes.padded * sizeof *model->modes.a);
+  hash = hash_bytes(hash, model->modes.sine, model->modes.padded * sizeof *model->modes.sine);
+  hash = hash_bytes(hash, &model->axis, sizeof model->axis);
   hash = hash_bytes(hash, model->truncated, sizeof model->truncated);
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
     for (uint32_t grip = 0; grip < TB_GRIPS;
@@ -345,6 +351,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                         model->head.bandwidth);
   }
   relax_large(model, level);
+  model->axis = model->def.wires.count > 0 ? model->def.wires.angle : model->def.strike.angle;
   status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
                             level->wire_cells, error);
   if (status != TABOR_OK) return status;

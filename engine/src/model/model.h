@@ -109,11 +109,13 @@ struct TaborModel {
   TbArena arena;
   TaborDrumDef def;
   uint32_t quality;
-  uint32_t steps;        /* per frame of the output */
-  double sample_rate;    /* of the output [Hz] */
-  double step_rate;      /* 1/k [Hz] */
-  double time_step;      /* k [s] */
-  double top;            /* of the high band [Hz] */
+  uint32_t steps;     /* per frame of the output */
+  double sample_rate; /* of the output [Hz] */
+  double step_rate;   /* 1/k [Hz] */
+  double time_step;   /* k [s] */
+  double top;         /* of the high band [Hz] */
+  double
+    axis; /* [deg] from which the modes' angles count: that of the wires; of a drum without, of its own stroke */
   TbPrecision precision; /* of the high band */
   TbPrecision contacts;  /* of contacts, if the kernels have their laws */
   uint32_t newton_cap, inner_cap;

@@ -159,9 +159,9 @@ static const double ONE_HEAD = 1e-4;
 /* So many modes stand by frequency: uneven lugs couple the lowest (model.h). */
 enum { LOWEST = 128 };
 
-/* The run of the mode of this number among those that no wire feels. */
-static uint32_t run_of(const TbHead *head, const TbHeadMode *mode, uint32_t number) {
-  if (head->heads < 2 || number < LOWEST) return 0;
+/* The run of a mode that no wire feels. */
+static uint32_t run_of(const TbHead *head, const TbHeadMode *mode) {
+  if (head->heads < 2) return 0;
   const double batter = tb_head_slope_square(head, 0, mode);
   const double resonant = tb_head_slope_square(head, 1, mode);
   return resonant < ONE_HEAD * batter ? 1 : (batter < ONE_HEAD * resonant ? 2 : 0);
@@ -172,31 +172,50 @@ static uint32_t pad_with_silence(TbModes *modes, uint32_t next) {
   return next;
 }
 
+/* What the list of modes is to be ordered by. */
+typedef struct Listing {
+  const TbModes *list;
+  const TbHead *head;
+  const uint8_t *felt, *low;
+  uint8_t *section; /* of each listed mode that no wire feels */
+  bool parts_copies;
+} Listing;
+
 static void list_mode(TbModes *modes, const TbModes *list, uint32_t i, uint32_t *next) {
   modes->row[*next] = list->row[i];
   modes->sine[(*next)++] = list->sine[i];
 }
 
-/* The modes that no wire feels, in runs. `run` is scratch, of each listed mode. */
-static uint32_t order_unfelt(TbModes *modes, const TbModes *list, const TbHead *head,
-                             const uint8_t *felt, uint8_t *run, uint32_t next) {
+/* The section of a listed mode, of this number among those that no wire feels. */
+static uint32_t section_of(const Listing *l, uint32_t i, uint32_t number) {
+  const uint32_t row = l->list->row[i];
+  const bool sine = l->list->sine[i] != 0, low = l->low[2u * row + sine] != 0;
+  if (number < LOWEST) return 0;
+  return 3u * run_of(l->head, &l->head->modes[row]) + (low ? 0u : 1u + (l->parts_copies && sine));
+}
+
+/* The modes that no wire feels, in sections. */
+static uint32_t order_unfelt(TbModes *modes, const Listing *l, uint32_t next) {
+  const TbModes *list = l->list;
   uint32_t number = 0;
   for (uint32_t i = 0; i < list->count; i++) {
-    if (!felt[i]) run[i] = (uint8_t)run_of(head, &head->modes[list->row[i]], number++);
+    if (!l->felt[i]) l->section[i] = (uint8_t)section_of(l, i, number++);
   }
-  for (uint32_t r = 0; r < TB_MODE_RUNS; r++) {
-    modes->run[r] = next;
+  for (uint32_t section = 0; section < TB_MODE_SECTIONS; section++) {
+    modes->section[section] = next;
     for (uint32_t i = 0; i < list->count; i++) {
-      if (!felt[i] && run[i] == r) list_mode(modes, list, i, &next);
+      if (!l->felt[i] && l->section[i] == section) list_mode(modes, list, i, &next);
     }
     next = pad_with_silence(modes, next);
   }
-  return modes->run[TB_MODE_RUNS] = next;
+  modes->section[TB_MODE_SECTIONS] = next;
+  for (uint32_t r = 0; r <= TB_MODE_RUNS; r++) modes->run[r] = modes->section[3u * r];
+  return next;
 }
 
-static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, const TbHead *head,
-                        const uint8_t *felt, uint8_t *run, const uint32_t *spare) {
-  uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_RUNS);
+static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const uint32_t *spare) {
+  const TbModes *list = l->list;
+  uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_SECTIONS);
   for (uint32_t group = 0; spare && group < modes->groups; group++) room += spare[group];
   modes->count = list->count;
   modes->row = tb_arena_take(arena, room, sizeof *modes->row);
@@ -206,13 +225,13 @@ static bool order_modes(TbModes *modes, TbArena *arena, const TbModes *list, con
   for (uint32_t group = 0; group < modes->groups; group++) {
     modes->group[group] = next;
     for (uint32_t i = 0; i < list->count; i++) {
-      if (group_of(modes, list, head, i, felt[i]) == group) list_mode(modes, list, i, &next);
+      if (group_of(modes, list, l->head, i, l->felt[i]) == group) list_mode(modes, list, i, &next);
     }
     next = pad_with_silence(modes, next);
     for (uint32_t i = 0; spare && i < spare[group]; i++) modes->row[next++] = TB_NO_MODE;
   }
   modes->group[modes->groups] = next;
-  modes->padded = order_unfelt(modes, list, head, felt, run, next);
+  modes->padded = order_unfelt(modes, l, next);
   return true;
 }
 
@@ -243,17 +262,23 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
 }
 
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
-                             const TbWires *wires, const uint32_t *spare, double time_step) {
+                             const TbWires *wires, const uint8_t *low, const uint32_t *spare,
+                             double time_step) {
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
   *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
   modes->groups = modes->halves * modes->quarters;
   TbModes list;
   uint8_t *felt = tb_arena_take(&scratch, head->most_modes, sizeof *felt);
-  uint8_t *run = tb_arena_take(&scratch, head->most_modes, sizeof *run);
-  const bool done = felt && run && list_modes(&list, &scratch, head) &&
+  const Listing listing = {.list = &list,
+                           .head = head,
+                           .felt = felt,
+                           .low = low,
+                           .section = tb_arena_take(&scratch, head->most_modes, 1),
+                           .parts_copies = wires->count == 0};
+  const bool done = felt && listing.section && list_modes(&list, &scratch, head) &&
                     find_felt(&list, &scratch, head, wires, felt) &&
-                    order_modes(modes, arena, &list, head, felt, run, spare) &&
+                    order_modes(modes, arena, &listing, spare) &&
                     mode_coefficients(modes, arena, head, wires->side, time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;

@@ -14,29 +14,32 @@
 
 #define TB_NO_MODE UINT32_MAX
 
-enum { TB_MODE_RUNS = 3 };
+enum { TB_MODE_RUNS = 3, TB_MODE_SECTIONS = 3 * TB_MODE_RUNS };
 
 /* Modes that some wire feels come first, in groups of one symmetry each. Shapes even under the
  * mirror x -> -x across the wires' middles precede the odd ones; in each half, shapes even under y
  * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
  * wire feels follow. Wires that lack a symmetry have half the groups.
  *
- * Of those that no wire feels, the lowest come first, by frequency. The others stand in three runs, padded like groups:
- * modes that move both heads, the batter head alone, the resonant head alone. */
+ * Those that no wire feels stand in three runs: the lowest and all that move both heads, the batter head alone, the resonant head alone. A
+ * run has three sections: the lowest and those that other drums' sound moves, then the other cosines, then the other sines; with
+ * wires, all of these. Angles count from that of the drum's own stroke (TaborModel.axis), which moves no sine. Each section is
+ * sorted by frequency, and padded like groups. */
 typedef struct TbModes {
   uint32_t count, padded;         /* modes, sine copies counted; the same with padding */
   uint32_t halves, quarters;      /* groups under x -> -x, and under y -> -y: 1 or 2 each */
   uint32_t groups;                /* halves * quarters */
   uint32_t group[5];              /* first mode of each group; coupled modes end at group[groups] */
   uint32_t run[TB_MODE_RUNS + 1]; /* first mode of each run; the first run has the lowest modes */
-  uint32_t *row;                  /* [padded]: index in head.modes, or TB_NO_MODE for padding */
-  uint8_t *sine;                  /* [padded]: 1 for sin(m theta) */
-  double *a, *b, *g;              /* [padded], as are all arrays below */
-  double *stiffness;              /* K' */
-  double *loss_head;              /* tanh(sk)/(2k^2): the part of the heads */
-  double *loss_air, *loss_shell;  /* the parts of sound and of the cavity's walls */
-  bool walls;                     /* some loss_shell is not 0 */
-  double *pull;                   /* -side g: a mode's response to a wire's contact force */
+  uint32_t section[TB_MODE_SECTIONS + 1]; /* first mode of each section */
+  uint32_t *row;                 /* [padded]: index in head.modes, or TB_NO_MODE for padding */
+  uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
+  double *a, *b, *g;             /* [padded], as are all arrays below */
+  double *stiffness;             /* K' */
+  double *loss_head;             /* tanh(sk)/(2k^2): the part of the heads */
+  double *loss_air, *loss_shell; /* the parts of sound and of the cavity's walls */
+  bool walls;                    /* some loss_shell is not 0 */
+  double *pull;                  /* -side g: a mode's response to a wire's contact force */
 } TbModes;
 
 /* A range of modes from the first one on, and another one behind it that may be empty. */
@@ -91,12 +94,13 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s);
 
 /* Lists and orders the modes and computes their coefficients. Each group ends with spare[group]
- * modes that have neither, a multiple of 8; NULL: none. */
+ * modes that have neither, a multiple of 8; NULL: none. low[2 row + sine]: whether other drums' sound moves it. */
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
-                             const TbWires *wires, const uint32_t *spare, double time_step);
+                             const TbWires *wires, const uint8_t *low, const uint32_t *spare,
+                             double time_step);
 
 /* Computes shape[padded], the shape of every mode on head `which`, relative to the lifted edge, at
- * radius [m] and angle from the wires' direction (sine, cosine). `patch` as in tb_head_radial();
+ * radius [m] and angle from the axis (sine, cosine). `patch` as in tb_head_radial();
  * radial is scratch of head.row_count. Audio-safe. */
 void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,

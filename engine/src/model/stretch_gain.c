@@ -18,7 +18,7 @@ static uint32_t below(const TaborModel *model, double top, uint32_t from, uint32
 }
 
 static void add_part(TaborModel *model, double top, double top_mixed, uint32_t from, uint32_t end,
-                     uint32_t heads) {
+                     uint32_t heads, uint32_t kin) {
   TbParts *parts = &model->stretch.parts;
   const uint32_t size = heads ? below(model, top, from, end) : 0u;
   const uint32_t mixed = below(model, top_mixed, from, end);
@@ -26,6 +26,7 @@ static void add_part(TaborModel *model, double top, double top_mixed, uint32_t f
   parts->size[parts->count] = size;
   parts->end[parts->count] = end;
   parts->mixed[parts->count] = mixed < size ? mixed : size;
+  parts->kin[parts->count] = kin;
   parts->heads[parts->count++] = heads;
 }
 
@@ -39,7 +40,7 @@ static uint32_t stretching(const TaborModel *model, bool batter, bool resonant) 
   return bits;
 }
 
-/* The groups that wires feel, then the runs of the others. */
+/* The groups that wires feel, then the sections of the others. */
 static void prepare_parts(TaborModel *model, TbStretchExtent extent) {
   const double top = extent.times * tb_head_lowest(&model->head), mixed = extent.mixing.top;
   const TbModes *modes = &model->modes;
@@ -48,10 +49,11 @@ static void prepare_parts(TaborModel *model, TbStretchExtent extent) {
                                         stretching(model, false, true)};
   model->stretch.parts.count = 0;
   for (uint32_t group = 0; group < modes->groups; group++) {
-    add_part(model, top, mixed, modes->group[group], modes->group[group + 1], all);
+    add_part(model, top, mixed, modes->group[group], modes->group[group + 1], all, 0);
   }
-  for (uint32_t run = 0; run < TB_MODE_RUNS; run++) {
-    add_part(model, top, mixed, modes->run[run], modes->run[run + 1], heads[run]);
+  for (uint32_t section = 0; section < TB_MODE_SECTIONS; section++) {
+    const uint32_t from = modes->section[section], end = modes->section[section + 1];
+    if (end > from) add_part(model, top, mixed, from, end, heads[section / 3u], section % 3u);
   }
 }
 
@@ -68,18 +70,20 @@ static void list_felt(TbStretch *stretch, const TbModes *modes, uint32_t head) {
     felt->size[felt->count] = all->size[part];
     felt->mixed[felt->count] = all->mixed[part];
     felt->end[felt->count] = all->end[part];
+    felt->kin[felt->count] = all->kin[part];
     felt->heads[felt->count++] = all->heads[part];
   }
 }
 
-static void fill_gain(const TaborModel *model, uint32_t which, double *gain) {
+/* What only pads a part counts no more than what lies behind it. */
+static void fill_gain(const TaborModel *model, uint32_t which, double top, double *gain) {
   const TbStretch *stretch = &model->stretch;
   for (uint32_t part = 0; part < stretch->parts.count; part++) {
     const uint32_t from = stretch->parts.from[part];
     if (!(stretch->parts.heads[part] >> which & 1u)) continue;
     for (uint32_t i = from; i < from + stretch->parts.size[part]; i++) {
       const uint32_t row = model->modes.row[i];
-      if (row == TB_NO_MODE) continue;
+      if (row == TB_NO_MODE || model->head.modes[row].omega >= top) continue;
       gain[i] = tb_head_slope_square(&model->head, stretch->head[which], &model->head.modes[row]);
     }
   }
@@ -122,7 +126,7 @@ TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
   for (uint32_t i = 0; i < stretch->count; i++) {
     stretch->gain[i] = tb_arena_doubles(&model->arena, model->modes.padded);
     if (!stretch->gain[i]) return TABOR_ERROR_MEMORY;
-    fill_gain(model, i, stretch->gain[i]);
+    fill_gain(model, i, extent.times * tb_head_lowest(&model->head), stretch->gain[i]);
   }
   return tb_stretch_mixing_prepare(model, extent.mixing);
 }

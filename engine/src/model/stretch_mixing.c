@@ -127,6 +127,12 @@ static bool fill_matrix(const Order *o, TbArena *arena, const uint32_t *places,
   return !arena->failed && matrix;
 }
 
+static uint8_t part_of(const TbParts *parts, uint32_t mode) {
+  uint8_t part = 0;
+  while (mode >= parts->end[part]) part++; /* parts tile all modes */
+  return part;
+}
+
 /* The blocks of an order, one for each copy. */
 static bool add_blocks(const Order *o, TbArena *arena, TbMixing *mixing) {
   uint32_t places[TB_MIXING_MOST];
@@ -135,8 +141,14 @@ static bool add_blocks(const Order *o, TbArena *arena, TbMixing *mixing) {
   if (!fill_matrix(o, arena, places, &block)) return false;
   for (uint32_t copy = 0; copy < (o->order->m ? 2u : 1u); copy++) {
     uint32_t *mode = tb_arena_take(arena, block.count, sizeof *mode);
-    for (uint32_t i = 0; mode && i < block.count; i++) mode[i] = o->at[copy][places[i]];
+    uint8_t *part = tb_arena_take(arena, block.count, sizeof *part);
+    if (!mode || !part) return false;
+    for (uint32_t i = 0; i < block.count; i++) {
+      mode[i] = o->at[copy][places[i]];
+      part[i] = part_of(&o->model->stretch.parts, mode[i]);
+    }
     block.mode = mode;
+    block.part = part;
     mixing->block[mixing->count++] = block;
   }
   return !arena->failed;

@@ -220,7 +220,7 @@ static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
 
 static void wake_by_sound(TbView *view) {
   if (view->all_move || !tb_incident_pushes_all(view)) return;
-  tb_pool_wake(view, tb_modes_all(&view->model->modes));
+  tb_pool_wake(view, NULL);
   tb_coupling_renew(view);
 }
 

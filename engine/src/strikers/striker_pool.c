@@ -72,17 +72,12 @@ static void couple_mufflers(TbView *view, double (*coupling)(const TbView *, uin
   }
 }
 
-void tb_pool_wake(TbView *view, TbModeRanges pushed) {
-  tb_moving_wake(view, pushed);
+void tb_pool_wake(TbView *view, const double *shape) {
+  if (!tb_moving_wake(view, shape)) return;
   for (uint32_t i = TB_MUFFLERS; i < TB_MUFFLERS + TB_HEADS; i++) {
-    if (in_play(view, i)) tb_moving_wake(view, tb_slot_modes(view, i));
+    if (in_play(view, i)) (void)tb_moving_wake(view, tb_slot_shape(view, i));
   }
   couple_mufflers(view, modal_coupling);
-}
-
-static void wake(TbView *view, const TbSlot *slot) {
-  const TbModes *modes = &view->model->modes;
-  tb_pool_wake(view, slot->on_hoop ? tb_modes_all(modes) : tb_modes_of_head(modes, slot->head));
 }
 
 /* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit force
@@ -175,6 +170,7 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
     if (!hand) tb_model_high_drive(model, s->striker.definition, s->radius, s->angle, drive);
   }
   clear_others(&model->modes, tb_slot_modes(view, slot), shape);
+  tb_pool_wake(view, shape);
   if (!hand) tb_high_band_step_of(view)->keep_drive(view, slot, drive);
   s->rest_height = tb_pool_displacement(view, slot, model->rest.q);
 }
@@ -183,6 +179,7 @@ static void find_place_on_hoop(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = tb_slot(view, slot);
   tb_model_hoop_shape(model, s->angle, view->strikers.radial, tb_slot_shape(view, slot));
+  tb_pool_wake(view, tb_slot_shape(view, slot));
   s->rest_height = model->def.hoop.height;
 }
 
@@ -378,7 +375,6 @@ static void book_launch(TbView *view, uint32_t slot) {
 }
 
 static void place(TbView *view, uint32_t slot, const TbSlot *striker) {
-  wake(view, striker);
   *tb_slot(view, slot) = *striker;
   view->state->strikers.mask |= 1u << slot;
   view->now.z[slot] = view->last.z[slot] = 0.0;
@@ -393,7 +389,6 @@ void tb_pool_put(TbView *view, uint32_t slot, const TbSlot *striker, double abov
 }
 
 void tb_pool_put_hand(TbView *view, uint32_t slot, const TbSlot *hand) {
-  wake(view, hand);
   *tb_slot(view, slot) = *hand;
   view->state->strikers.mask |= 1u << slot;
   tb_pool_rebuild(view, slot);

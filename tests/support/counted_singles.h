@@ -148,6 +148,9 @@ COUNTED_RESULT(TbPair, stretch_dots, modes_of(parts),
                (const TbParts *parts, const double *const pull[2], In x), (parts, pull, x))
 COUNTED(step_and_stretch, 2 * modes_of(parts), (const TbParts *parts, TbStretching *s), (parts, s))
 COUNTED(end_modes, 3ull * modes_of(parts), (const TbParts *parts, TbModesEnd *end), (parts, end))
+COUNTED(push, modes_of(parts),
+        (const TbParts *parts, TbPair sound, In now, In before, In g, Out next),
+        (parts, sound, now, before, g, next))
 COUNTED_RESULT(TbPair, heard, modes_of(parts), (const TbParts *parts, In u, In v, In q),
                (parts, u, v, q))
 COUNTED_RESULT(double, reach, n, (uint32_t n, In c, In x), (n, c, x))
@@ -228,6 +231,7 @@ static const TbKernels counting = {
   .step_and_stretch = COUNT(step_and_stretch),
   .stretch_dots = COUNT(stretch_dots),
   .end_modes = COUNT(end_modes),
+  .push = COUNT(push),
   .heard = COUNT(heard),
   .reach = COUNT(reach),
   .losses = COUNT(losses),

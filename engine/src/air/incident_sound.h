@@ -34,6 +34,8 @@ bool tb_incident_pushes(const TbView *view);
 bool tb_incident_pushes_all(const TbView *view);
 /* Adds what the sound does to the modes' free motion in view->next. */
 void tb_incident_push(TbView *view);
+/* Sum F_j x_j over the modes, x[padded]. */
+double tb_incident_product(const TbView *view, const double *x);
 /* Work that it does in this step [J]. Call after view->next is filled. */
 double tb_incident_work(const TbView *view);
 

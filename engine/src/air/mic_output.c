@@ -116,13 +116,8 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
 
 /* What the tap hears: other drums hear the low modes alone. */
 static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase) {
-  const TbLowModes *low = &view->model->mics[mic].low;
-  TbPair sums = {0.0, 0.0};
-  for (uint32_t i = 0; i < low->count; i++) {
-    sums.first += low->ahead[i] * phase->q[low->mode[i]];
-    sums.second += low->behind[i] * phase->q[low->mode[i]];
-  }
-  return sums;
+  const TbMic *m = &view->model->mics[mic];
+  return view->model->kernels->heard(&view->model->modes.low, m->ahead, m->behind, phase->q);
 }
 
 /* The same at the end of the step, where end_modes() of step.c knows one microphone's. */

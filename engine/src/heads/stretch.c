@@ -184,14 +184,13 @@ static void move_alone(const TbView *view) {
   }
 }
 
-/* If nothing else pushes the modes before tb_stretch_free(), one pass moves them and finds its sums. */
+/* One pass moves the modes and finds the sums of tb_stretch_free(); what sound from outside adds to them is known then. */
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   view->stretch.count = count_stretching(view);
   book_change(view);
   if (view->stretch.count > 0) mix(view, view->now.q);
-  view->stretch.summed =
-    view->stretch.count > 0 && model->lugs.count == 0 && !tb_incident_pushes(view);
+  view->stretch.summed = view->stretch.count > 0 && model->lugs.count == 0;
   if (view->stretch.summed) {
     view->stretch.sums = stretching_of(view);
     model->kernels->step_and_stretch(&view->moving, &view->stretch.sums);
@@ -212,6 +211,8 @@ void tb_stretch_free(TbView *view) {
   weigh(stretch->count, view->stretch.sums.own, stretch->factor, view->solve.in.stretch_weight);
   for (uint32_t h = 0; h < stretch->count; h++) {
     view->stretch.along[h] = view->stretch.sums.along[h];
+    if (view->stretch.summed)
+      view->stretch.along[h] += tb_incident_product(view, view->stretch.pull[h]); /* y g F */
     view->stretch.rest[h] = 0.0;
   }
   prepare_slots(view);

@@ -63,6 +63,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .step_and_stretch = step_and_stretch,
   .stretch_dots = stretch_dots,
   .end_modes = end_modes,
+  .push = push,
   .heard = heard,
   .reach = reach,
   .losses = losses,

@@ -203,6 +203,9 @@ typedef struct TB_TYPE(TbKernels) {
   /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`, and Sum ahead next and
    * Sum behind next. */
   void (*end_modes)(const TbParts *parts, TbModesEnd *end);
+  /* next += g (sound.first now + sound.second before) */
+  void (*push)(const TbParts *parts, TbPair sound, const double *now, const double *before,
+               const double *g, double *next);
   /* Sum ahead q and Sum behind q */
   TbPair (*heard)(const TbParts *parts, const double *ahead, const double *behind, const double *q);
   /* Sum c |x| */

@@ -187,6 +187,17 @@ static void end_modes(const TbParts *parts, TbModesEnd *whole) {
   whole->heard = (TbPair){join(sums.ahead), join(sums.behind)};
 }
 
+static void push(const TbParts *parts, TbPair sound, const double *now, const double *before,
+                 const double *g, double *next) {
+  for (uint32_t part = 0; part < parts->count; part++) {
+    for (uint64_t i = parts->from[part]; i < parts->end[part]; i += 8) {
+      const Lanes force =
+        add(scale(load(now + i), sound.first), scale(load(before + i), sound.second));
+      store(next + i, add(load(next + i), multiply_lanes(load(g + i), force)));
+    }
+  }
+}
+
 /* In the order of end_modes(), whose sums these are. */
 static TbPair heard(const TbParts *parts, const double *ahead, const double *behind,
                     const double *q) {

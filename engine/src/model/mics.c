@@ -82,21 +82,28 @@ typedef struct Weights {
   double ahead, behind, push_now, push_before;
 } Weights;
 
-static Weights weights_of(const TaborModel *model, uint32_t index, uint32_t row, bool sine) {
-  const TbHeadMode *mode = &model->head.modes[row];
-  const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
+static TbPole pole_of(const TaborModel *model, const TbHeadMode *mode) {
+  return tb_pole(mode->omega, mode->decay_rate, model->time_step);
+}
+
+static Weights weights_of(const TaborModel *model, uint32_t index, const TbHeadMode *mode,
+                          const TbPole *pole, bool sine) {
   Weights w;
-  tb_mic_weights(model, index, mode->omega, &pole, mode->m, sine, mode->fields + 2 * index,
-                 &w.ahead, &w.behind);
+  tb_mic_weights(model, index, mode->omega, pole, mode->m, sine, mode->fields + 2 * index, &w.ahead,
+                 &w.behind);
   push_weights(model, &model->def.mic[index], mode->omega, w.ahead, w.behind, &w.push_now,
                &w.push_before);
   return w;
 }
 
-static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
-  for (uint32_t i = 0; i < model->modes.padded; i++) {
-    if (model->modes.row[i] == TB_NO_MODE) continue;
-    const Weights w = weights_of(model, index, model->modes.row[i], model->modes.sine[i]);
+/* Of all microphones. */
+static void mode_weights(TaborModel *model, uint32_t i) {
+  if (model->modes.row[i] == TB_NO_MODE) return;
+  const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+  const TbPole pole = pole_of(model, mode);
+  for (uint32_t index = 0; index < model->def.mic_count; index++) {
+    const Weights w = weights_of(model, index, mode, &pole, model->modes.sine[i]);
+    TbMic *mic = &model->mics[index];
     mic->ahead[i] = w.ahead;
     mic->behind[i] = w.behind;
     mic->push_now[i] = w.push_now;
@@ -109,74 +116,35 @@ static void mode_weights(const TaborModel *model, uint32_t index, TbMic *mic) {
 static const double LOW = 2000.0;        /* [Hz] */
 static const double LEAST_WEIGHT = 1e-3; /* of the largest: -60 dB */
 
-static bool is_below(const TaborModel *model, uint32_t row) {
-  return row != TB_NO_MODE && model->head.modes[row].omega < 2.0 * PI * LOW;
+/* push[2 row + sine]: how much sound from the place of each microphone pushes a mode's copies. */
+static void find_pushes(const TaborModel *model, uint32_t row, double *const push[TABOR_MAX_MICS]) {
+  const TbHeadMode *mode = &model->head.modes[row];
+  if (mode->omega >= 2.0 * PI * LOW) return;
+  const TbPole pole = pole_of(model, mode);
+  for (uint32_t index = 0; index < model->def.mic_count; index++) {
+    for (uint32_t sine = 0; sine < (mode->m ? 2u : 1u); sine++) {
+      const Weights w = weights_of(model, index, mode, &pole, sine);
+      push[index][2u * row + sine] = fabs(w.push_now) + fabs(w.push_before);
+    }
+  }
 }
 
-/* push[2 row + sine] of modes that are low enough, for one microphone; returns the largest. */
-static double find_pushes(const TaborModel *model, uint32_t index, double *push) {
+static void mark_low(uint32_t count, const double *push, uint8_t *low) {
   double largest = 0.0;
-  for (uint32_t i = 0; i < 2u * model->head.row_count; i++) {
-    push[i] = 0.0;
-    if (!is_below(model, i / 2u) || (i % 2u && model->head.modes[i / 2u].m == 0)) continue;
-    const Weights w = weights_of(model, index, i / 2u, i % 2u);
-    push[i] = fabs(w.push_now) + fabs(w.push_before);
-    largest = fmax(largest, push[i]);
-  }
-  return largest;
+  for (uint32_t i = 0; i < count; i++) largest = fmax(largest, push[i]);
+  for (uint32_t i = 0; i < count; i++) low[i] |= push[i] > LEAST_WEIGHT * largest;
 }
 
 TaborStatus tb_mics_find_low(TaborModel *model, TbArena *scratch, uint8_t *low) {
   const uint32_t count = 2u * model->head.row_count;
-  double *push = tb_arena_doubles(scratch, count);
-  if (!push) return TABOR_ERROR_MEMORY;
+  double *push[TABOR_MAX_MICS] = {NULL};
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     model->mics[index].travel = travel_steps(model, &model->def.mic[index]);
-    const double largest = find_pushes(model, index, push);
-    for (uint32_t i = 0; i < count; i++) low[i] |= push[i] > LEAST_WEIGHT * largest;
+    push[index] = tb_arena_doubles(scratch, count);
   }
-  return TABOR_OK;
-}
-
-static double push_of(const TbMic *mic, uint32_t mode) {
-  return fabs(mic->push_now[mode]) + fabs(mic->push_before[mode]);
-}
-
-static bool is_low(const TaborModel *model, const TbMic *mic, uint32_t mode, double largest) {
-  return is_below(model, model->modes.row[mode]) && push_of(mic, mode) > LEAST_WEIGHT * largest;
-}
-
-static void take_low_mode(const TbMic *mic, const TbModes *modes, uint32_t mode, TbLowModes *low) {
-  const uint32_t at = low->count++;
-  low->mode[at] = mode;
-  low->ahead[at] = mic->ahead[mode];
-  low->behind[at] = mic->behind[mode];
-  low->now[at] = mic->push_now[mode];
-  low->before[at] = mic->push_before[mode];
-  low->g_now[at] = modes->g[mode] * mic->push_now[mode];
-  low->g_before[at] = modes->g[mode] * mic->push_before[mode];
-}
-
-static TaborStatus list_low_modes(TaborModel *model, TbMic *mic) {
-  const TbModes *modes = &model->modes;
-  TbLowModes *low = &mic->low;
-  double largest = 0.0;
-  uint32_t count = 0;
-  for (uint32_t i = 0; i < modes->padded; i++) {
-    if (is_below(model, modes->row[i])) largest = fmax(largest, push_of(mic, i));
-  }
-  for (uint32_t i = 0; i < modes->padded; i++) count += is_low(model, mic, i, largest);
-  double **const arrays[] = {&low->ahead,  &low->behind, &low->now,
-                             &low->before, &low->g_now,  &low->g_before};
-  low->mode = tb_arena_take(&model->arena, count + 1u, sizeof *low->mode);
-  for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
-    *arrays[i] = tb_arena_doubles(&model->arena, count + 1u);
-  }
-  if (model->arena.failed) return TABOR_ERROR_MEMORY;
-  low->count = 0;
-  for (uint32_t i = 0; i < modes->padded; i++) {
-    if (is_low(model, mic, i, largest)) take_low_mode(mic, modes, i, low);
-  }
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t row = 0; row < model->head.row_count; row++) find_pushes(model, row, push);
+  for (uint32_t index = 0; index < model->def.mic_count; index++) mark_low(count, push[index], low);
   return TABOR_OK;
 }
 
@@ -189,9 +157,8 @@ TaborStatus tb_mics_prepare(TaborModel *model) {
     mic->behind = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->push_now = tb_arena_doubles(&model->arena, model->modes.padded);
     mic->push_before = tb_arena_doubles(&model->arena, model->modes.padded);
-    if (model->arena.failed) return TABOR_ERROR_MEMORY;
-    mode_weights(model, index, mic);
-    if (list_low_modes(model, mic) != TABOR_OK) return TABOR_ERROR_MEMORY;
   }
+  if (model->arena.failed) return TABOR_ERROR_MEMORY;
+  for (uint32_t i = 0; i < model->modes.padded; i++) mode_weights(model, i);
   return TABOR_OK;
 }

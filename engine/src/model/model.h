@@ -30,22 +30,12 @@
 /* Contact curvature times compliance: the stiffest contact that one sample resolves. */
 #define TB_SLOPE_LIMIT 10.0
 
-/* The modes by which drums hear each other (kit/kit.h), with their numbers in short arrays: those up to an octave above what
- * they hear whose weights exceed a thousandth of the largest. */
-typedef struct TbLowModes {
-  uint32_t count, *mode;    /* index of each among the modes */
-  double *ahead, *behind;   /* as in TbMic */
-  double *now, *before;     /* push_now, push_before */
-  double *g_now, *g_before; /* the same times the mode's g */
-} TbLowModes;
-
 /* The signal of a microphone is A(n+1) - A(n) - B(n) + B(n-1) [Pa], A(n) = Sum ahead q^n,
  * B(n) = Sum behind q^n, `delay` steps later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
   /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see air/incident_sound.h */
   double *push_now, *push_before;
-  TbLowModes low;
   uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */
   TbMicResponse response;
 } TbMic;

@@ -213,6 +213,27 @@ static uint32_t order_unfelt(TbModes *modes, const Listing *l, uint32_t next) {
   return next;
 }
 
+static void add_low(TbParts *low, uint32_t from, uint32_t end) {
+  low->from[low->count] = from;
+  low->end[low->count++] = end;
+}
+
+/* Of a group all modes up to the last that is low: most of them are. */
+static void find_low(TbModes *modes, const Listing *l) {
+  modes->low.count = 0;
+  for (uint32_t group = 0; group < modes->groups; group++) {
+    uint32_t end = modes->group[group];
+    for (uint32_t i = end; i < modes->group[group + 1]; i++) {
+      const bool is_real = modes->row[i] != TB_NO_MODE;
+      if (is_real && l->low[2u * modes->row[i] + modes->sine[i]]) end = i + 1u;
+    }
+    add_low(&modes->low, modes->group[group], tb_pad(end));
+  }
+  for (uint32_t r = 0; r < TB_MODE_RUNS; r++) {
+    add_low(&modes->low, modes->section[3u * r], modes->section[3u * r + 1u]);
+  }
+}
+
 static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const uint32_t *spare) {
   const TbModes *list = l->list;
   uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_SECTIONS);
@@ -232,6 +253,7 @@ static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const 
   }
   modes->group[modes->groups] = next;
   modes->padded = order_unfelt(modes, l, next);
+  find_low(modes, l);
   return true;
 }
 

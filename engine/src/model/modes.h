@@ -10,6 +10,7 @@
 #define TB_MODES_H
 
 #include "acoustics/head.h"
+#include "kernels/kernels.h"
 #include "model/wires.h"
 
 #define TB_NO_MODE UINT32_MAX
@@ -32,6 +33,8 @@ typedef struct TbModes {
   uint32_t group[5];              /* first mode of each group; coupled modes end at group[groups] */
   uint32_t run[TB_MODE_RUNS + 1]; /* first mode of each run; the first run has the lowest modes */
   uint32_t section[TB_MODE_SECTIONS + 1]; /* first mode of each section */
+  TbParts
+    low; /* by which drums hear each other: the first of each group, the first section of each run */
   uint32_t *row;                 /* [padded]: index in head.modes, or TB_NO_MODE for padding */
   uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
   double *a, *b, *g;             /* [padded], as are all arrays below */

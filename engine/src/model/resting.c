@@ -49,9 +49,8 @@ static void find_floor(TaborModel *model) {
   for (uint32_t group = 0; lugs->count > 0 && group <= modes->groups; group++) {
     if (lugs->size[group] > 0) raise_floor(model, lugs->from[group] + lugs->size[group] - 1u);
   }
-  for (uint32_t i = 0; i < model->def.mic_count; i++) {
-    const TbLowModes *low = &model->mics[i].low;
-    for (uint32_t k = 0; k < low->count; k++) raise_floor(model, low->mode[k]);
+  for (uint32_t i = 0; i < modes->low.count; i++) {
+    if (modes->low.end[i] > modes->low.from[i]) raise_floor(model, modes->low.end[i] - 1u);
   }
 }
 

@@ -11,11 +11,11 @@
 #include "platform/process.h"
 #include "platform/wake.h"
 
-/* [s] for which a thread looks before it sleeps. With 60 us two threads take a fiftieth less time for a kit, and a twenty-fifth
- * more of their processors. */
-static const double SPIN = 5e-6;
+/* [s] for which a thread looks before it sleeps. For the groove of docs/kit.md with 5 us two threads take an eighth longer and as
+ * much of their processors; with 60 us a twentieth less, and as much more of their processors. */
+static const double SPIN = 20e-6;
 static const double LATE = 2e-3; /* [s] for which nobody waits who must be in time */
-/* [s] for which the caller is alone then: at first, and twice as long each time until that was long ago. */
+/* [s] for which the caller is alone then; each time twice as long if it happens within RECOVERY again. */
 static const double RECOVERY = 0.2, LONGEST_RECOVERY = 10;
 static const double TERM = 0.2, TERM_ALONE = 0.05; /* [s] after which drums are divided anew */
 
@@ -43,7 +43,7 @@ struct KitThreads {
   void *kit;
   KitDivision division;
   atomic_uint part[TABOR_KIT_DRUMS]; /* the division's */
-  atomic_uint open;                  /* bits of the round's drums that nobody has begun */
+  atomic_uint open;                  /* bits of the round's drums that nobody has taken */
   atomic_uint left;                  /* drums that are not done */
   Sleeper sleeper;                   /* the caller */
   atomic_bool is_over;
@@ -96,13 +96,13 @@ static void compute(KitThreads *threads, uint32_t drum) {
   threads->division.seconds[drum] += now() - begun;
 }
 
-/* Computes those of @p drums that nobody has begun. A thread that is late from a round before takes part in the newest: `open` is
- * set last, so who finds a drum in it also sees the round's job. */
+/* Computes those of @p drums that nobody has taken: a part is taken as a whole, since its tables are in one processor's cache. A
+ * thread that is late from a round before takes part in the newest: `open` is set last, so who finds a drum in it also sees
+ * the round's job. */
 static void take(KitThreads *threads, uint32_t drums) {
-  for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
-    const uint32_t bit = 1u << i;
-    if (!(drums & atomic_load(&threads->open) & bit)) continue;
-    if (!(atomic_fetch_and(&threads->open, ~bit) & bit)) continue;
+  const uint32_t taken = atomic_fetch_and(&threads->open, ~drums) & drums;
+  for (uint32_t i = 0; taken >> i; i++) {
+    if (!(taken >> i & 1u)) continue;
     compute(threads, i);
     if (atomic_fetch_sub(&threads->left, 1u) == 1) wake(&threads->sleeper);
   }
@@ -159,7 +159,7 @@ static void follow_caller(KitThreads *threads) {
 static void recover(KitThreads *threads) {
   const double time = now();
   if (!threads->is_live) return;
-  const bool is_again = time - threads->alone_until < 4 * threads->recovery;
+  const bool is_again = time - threads->alone_until < RECOVERY;
   threads->recovery = is_again ? 2 * threads->recovery : RECOVERY;
   if (threads->recovery > LONGEST_RECOVERY) threads->recovery = LONGEST_RECOVERY;
   threads->alone_until = time + threads->recovery;

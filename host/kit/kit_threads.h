@@ -5,11 +5,11 @@
  * thread, to the bit.
  *
  * A round is one call of the kit: all drums of a piece of some 16 frames. Each thread has its part of them (kit_division.h).
- * When its own part is done, the caller takes what others have not begun, so that it does without a thread that does not run. It
- * waits for one that is within a drum: some tens of microseconds, or as long as the system lets that thread stand. After 2 ms
+ * When its own part is done, the caller takes those that no thread has begun, so that it does without a thread that does not run. It
+ * waits for one that has begun: some tens of microseconds, or as long as the system lets that thread stand. After 2 ms
  * of this the caller of live sound computes alone for 0.2 s, and for up to 10 s where it happens again and again.
  *
- * Threads without work sleep on a semaphore, after they have looked for work for 5 us. They take the priority of the caller; if
+ * Threads without work sleep on a semaphore, after they have looked for work for 20 us. They take the priority of the caller; if
  * the system refuses it, the caller computes alone, as it does while one thread is enough.
  */
 #ifndef TABOR_HOST_KIT_THREADS_H

@@ -109,7 +109,7 @@ static void take(KitThreads *threads, uint32_t drums) {
 }
 
 void kit_threads_part(KitThreads *threads, uint32_t part) {
-  take(threads, atomic_load(&threads->part[part]));
+  if (part < TABOR_KIT_DRUMS) take(threads, atomic_load(&threads->part[part]));
 }
 
 /* ---- the helpers ---------------------------------------------------------------------------- */

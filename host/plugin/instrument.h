@@ -160,7 +160,7 @@ struct InstrumentCalls {
   void (*play)(Instrument *instrument,
                uint32_t end) REALTIME; /**< up to frame @p end of the block */
   /** On a thread of the pool: a part of what is being played. */
-  void (*play_part)(Instrument *instrument, uint32_t part) REALTIME;
+  void (*play_part)(Instrument *instrument, uint32_t part);
   void (*strike)(Instrument *instrument, const WindowStroke *stroke) REALTIME;
   void (*show)(Instrument *instrument) REALTIME;             /**< the window what has been played */
   bool (*is_ready)(const Instrument *instrument) REALTIME;   /**< what sounds is what is wanted */

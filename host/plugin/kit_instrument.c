@@ -207,7 +207,7 @@ static void play(Instrument *instrument, uint32_t end) REALTIME {
   instrument->at = player_of(instrument)->at;
 }
 
-static void play_part(Instrument *instrument, uint32_t part) REALTIME {
+static void play_part(Instrument *instrument, uint32_t part) {
   kit_threads_part(kit_of(instrument)->threads, part);
 }
 

@@ -2,6 +2,7 @@
 /* The threads of a kit, without an engine, under ThreadSanitizer where the compiler has it. */
 #include <pthread.h>
 #include <sched.h>
+#include <semaphore.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -59,7 +60,6 @@ static void play(void *kit, uint32_t drum) {
 static void play_round(Work *work, uint32_t drums) {
   const unsigned before = work->played[0];
   struct sched_param priority;
-  caller = pthread_self();
   (void)pthread_getschedparam(caller, &work->policy, &priority);
   runner(runner_context, play, work, drums);
   for (uint32_t i = 0; i < drums; i++) {
@@ -132,14 +132,37 @@ static void who_is_late_is_left_out(void **state) {
   kit_threads_end(threads);
 }
 
-static void who_is_gone_is_not_missed(void **state) {
+/* From now on no other thread comes back from its sleep, as where the system gives it no processor, until `thaw` is posted. */
+static atomic_bool is_frozen;
+static atomic_uint frozen;
+static sem_t thaw;
+
+int __real_sem_wait(sem_t *semaphore);
+int __wrap_sem_wait(sem_t *semaphore);
+int __wrap_sem_wait(sem_t *semaphore) {
+  if (atomic_load(&is_frozen) && is_beside(pthread_self())) {
+    atomic_fetch_add(&frozen, 1u);
+    (void)__real_sem_wait(&thaw);
+  }
+  return __real_sem_wait(semaphore);
+}
+
+static void who_does_not_wake_is_not_missed(void **state) {
   (void)state;
   Work work = {.stops = 0};
+  assert_int_equal(sem_init(&thaw, 0, 0), 0);
   KitThreads *const threads = begin(2, true, NULL);
-  const pthread_t helper = play_with_help(&work);
-  assert_int_equal(pthread_cancel(helper), 0);
-  for (unsigned round = 0; round < ROUNDS; round++) play_round(&work, DRUMS);
+  (void)play_with_help(&work);
+  atomic_store(&is_frozen, true);
+  while (atomic_load(&frozen) == 0) play_round(&work, DRUMS);
+  for (unsigned round = 0; round < ROUNDS; round++) {
+    play_round(&work, DRUMS);
+    assert_false(has_help(&work));
+  }
+  atomic_store(&is_frozen, false);
+  assert_int_equal(sem_post(&thaw), 0);
   kit_threads_end(threads);
+  assert_int_equal(sem_destroy(&thaw), 0);
 }
 
 static void threads_take_the_callers_priority(void **state) {
@@ -219,11 +242,12 @@ static void a_hosts_threads_serve(void **state) {
 }
 
 int main(void) {
+  caller = pthread_self();
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(each_drum_is_played_once_a_round),
     cmocka_unit_test(kits_of_other_sizes_come_and_go),
     cmocka_unit_test(who_is_late_is_left_out),
-    cmocka_unit_test(who_is_gone_is_not_missed),
+    cmocka_unit_test(who_does_not_wake_is_not_missed),
     cmocka_unit_test(threads_take_the_callers_priority),
     cmocka_unit_test(a_hosts_threads_serve),
   };

@@ -65,14 +65,12 @@ static void divide(const KitDivision *division, uint32_t *part, uint32_t parts) 
 /* No more parts than make the dearest one cheaper. */
 static void divide_between(KitDivision *division, uint32_t most) REALTIME;
 static void divide_between(KitDivision *division, uint32_t most) {
-  uint32_t part[TABOR_KIT_DRUMS], parts = 1;
+  uint32_t part[TABOR_KIT_DRUMS], parts = 0;
   divide(division, part, most);
   const double least = dearest(division, part, most);
-  for (; parts < most; parts++) {
-    divide(division, part, parts);
-    if (dearest(division, part, parts) <= SPARE * least) break;
-  }
-  if (parts == most) divide(division, part, most);
+  do {
+    divide(division, part, ++parts);
+  } while (dearest(division, part, parts) > SPARE * least);
   const double before = dearest(division, division->part, division->parts);
   if (parts == division->parts && dearest(division, part, parts) > GAIN * before) return;
   memcpy(division->part, part, sizeof part);

@@ -16,30 +16,27 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "live_kit.h"
+#include "midi/midi_file_input.h"
+
+/* It has a macro that is named as a function of the program. */
 #include <cmocka.h>
 
 #include "clap_host.h"
 #include "kit/kit_midi.h"
 #include "lv2/uris.h"
-#include "midi/midi_file.h"
 #include "platform/clock.h"
 #include "plugin_host.h"
 
-enum { BLOCK = 128, RATE = 48000, MOST_THREADS = 64, BYTES = 1 << 20 };
+enum { BLOCK = 128, RATE = 48000, MOST_THREADS = 64 };
 
 static HostMessage *messages;
 static size_t message_count;
 static uint32_t frames;
 
 static void read_song(const char *path) {
-  static char bytes[BYTES];
   MidiFile file;
-  MidiFileReport report;
-  FILE *const stream = fopen(path, "rb");
-  if (!stream) fail_msg("%s: no such file", path);
-  const size_t size = fread(bytes, 1, sizeof bytes, stream);
-  (void)fclose(stream);
-  if (midi_file_decode(bytes, size, &file, &report) != MIDI_FILE_OK) fail_msg("%s", report.error);
+  assert_int_equal(midi_file_read(path, false, &file), OUTCOME_OK);
   messages = calloc(file.count + 1, sizeof *messages);
   assert_non_null(messages);
   for (size_t i = 0; i < file.count; i++) {
@@ -112,30 +109,13 @@ static void run_in_turn(void *context, TaborKitJob *job, void *kit, uint32_t cou
   }
 }
 
-static TaborKit *create_kit(KitMidi *midi) {
-  static TaborKitDef def;
-  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
-  TaborModelOptions options;
-  TaborKit *kit;
-  TaborError error;
-  tabor_model_options_default(&options);
-  options.quality = TABOR_QUALITY_LIVE;
-  assert_int_equal(tabor_kit_def_preset(&def, "standard", &error), TABOR_OK);
-  for (uint32_t i = 0; i < def.drum_count; i++) {
-    TaborDrumDef placed;
-    assert_int_equal(tabor_kit_def_place(&def, i, &placed, &error), TABOR_OK);
-    assert_int_equal(tabor_model_create(&placed, &options, &models[i], &error), TABOR_OK);
-  }
-  assert_int_equal(tabor_kit_create(&def, models, &kit, &error), TABOR_OK);
-  kit_midi_begin(midi, &def, &kit_midi_setup_default);
-  return kit;
-}
-
 static double measure_drums(void) {
   static KitMidi midi;
   static float sound[2][BLOCK];
-  TaborKit *const kit = create_kit(&midi);
+  static TaborKitDef def;
+  TaborKit *const kit = live_kit_create(&def);
   size_t next = 0;
+  kit_midi_begin(&midi, &def, &kit_midi_setup_default);
   tabor_kit_set_runner(kit, run_in_turn, NULL);
   const double begun = processor_seconds();
   for (uint32_t at = 0; at < frames; at += BLOCK) {

@@ -13,10 +13,11 @@
 #include <string.h>
 
 #include "kit/kit_midi.h"
-#include "midi/midi_file.h"
+#include "live_kit.h"
+#include "midi/midi_file_input.h"
 #include "platform/clock.h"
 
-enum { RUNS = 9, BLOCK = 64, RATE = 48000, BYTES = 1 << 20, MOST_EVENTS = 256 };
+enum { RUNS = 9, BLOCK = 64, RATE = 48000, MOST_EVENTS = 256 };
 
 static double *least; /* [blocks] s */
 static uint32_t blocks;
@@ -57,33 +58,6 @@ static void print(const char *name) {
 
 /* ---- the kit -------------------------------------------------------------------------------- */
 
-static void read_song(const char *path, MidiFile *file) {
-  static char bytes[BYTES];
-  MidiFileReport report;
-  FILE *const stream = fopen(path, "rb");
-  if (!stream) quit("there is no such file");
-  const size_t size = fread(bytes, 1, sizeof bytes, stream);
-  (void)fclose(stream);
-  if (midi_file_decode(bytes, size, file, &report) != MIDI_FILE_OK) quit(report.error);
-}
-
-static TaborKit *create_kit(TaborKitDef *def) {
-  TaborModel *models[TABOR_KIT_DRUMS] = {NULL};
-  TaborModelOptions options;
-  TaborKit *kit;
-  TaborError error;
-  tabor_model_options_default(&options);
-  options.quality = TABOR_QUALITY_LIVE;
-  require(tabor_kit_def_preset(def, "standard", &error), &error);
-  for (uint32_t i = 0; i < def->drum_count; i++) {
-    TaborDrumDef placed;
-    require(tabor_kit_def_place(def, i, &placed, &error), &error);
-    require(tabor_model_create(&placed, &options, &models[i], &error), &error);
-  }
-  require(tabor_kit_create(def, models, &kit, &error), &error);
-  return kit;
-}
-
 static void play_kit(TaborKit *kit, const TaborKitDef *def, const MidiFile *file) {
   static KitMidi midi;
   float sound[2][BLOCK];
@@ -106,8 +80,8 @@ static void play_kit(TaborKit *kit, const TaborKitDef *def, const MidiFile *file
 static void measure_kit(const char *path) {
   static TaborKitDef def;
   MidiFile file;
-  read_song(path, &file);
-  TaborKit *const kit = create_kit(&def);
+  if (midi_file_read(path, false, &file) != OUTCOME_OK) exit(1);
+  TaborKit *const kit = live_kit_create(&def);
   begin(file.length);
   for (int run = 0; run < RUNS; run++) play_kit(kit, &def, &file);
   print("kit");

@@ -133,9 +133,8 @@ COUNTED_RESULT(TbResidualF, left_over, n,
                (uint32_t n, InF slope, InF yield, InF weight, InF x, InF p, InF before, OutF r,
                 OutF d),
                (n, slope, yield, weight, x, p, before, r, d))
-COUNTED(combine, (uint64_t)n *count,
-        (uint32_t n, uint32_t count, InF f, InF const *x, InF base, OutF out),
-        (n, count, f, x, base, out))
+COUNTED(combine, (uint64_t)n *count, (uint32_t n, uint32_t count, InF f, InF const *x, OutF out),
+        (n, count, f, x, out))
 #else
 COUNTED_RESULT(TbResidual, weigh, n, (uint32_t n, In slope, In s, In b, In p, Out weight, Out d),
                (n, slope, s, b, p, weight, d))

@@ -353,7 +353,7 @@ static void live_stretches_as_studio_does(void **state) {
 
 /* ---- heads that have died away are linear ---------------------------------------------------- */
 
-enum { LONG = 120000, TAIL = 48000 };
+enum { LONG = 67200, TAIL = 19200 }; /* snares off: linear after 0.9 s, asleep after 1.5 s */
 
 /* A drum that always stretches, or one that stops as usual. */
 static TaborDrum *drum_that(bool always, const TaborDrumDef *def, TaborModel **model) {

@@ -127,6 +127,17 @@ static double energy(const TbView *view) {
   return 0.5 * sum;
 }
 
+static double heard(const TbView *view) {
+  const TbHighBand *high = &view->model->high;
+  const Real *now = view->now.high, *last = view->last.high;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < high->padded; i++) {
+    const double step = (double)(now[i] - last[i]);
+    sum += view->model->resting.heard_high[i] * step * step;
+  }
+  return sum;
+}
+
 /* Without branches: the compiler takes several at once. */
 static void clear_small(const TbView *view) {
   Real *now = view->now.high, *last = view->last.high;
@@ -137,5 +148,5 @@ static void clear_small(const TbView *view) {
   }
 }
 
-const TbHighBandStep NAME_OF(tb_high_band_step) = {begin, scatter,    hold,   move,       strike,
-                                                   sums,  keep_drive, energy, clear_small};
+const TbHighBandStep NAME_OF(tb_high_band_step) = {begin, scatter,    hold,   move,  strike,
+                                                   sums,  keep_drive, energy, heard, clear_small};

@@ -82,10 +82,12 @@ static void renew_hold(TbView *view) {
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
-  const bool pushed = view->model->wires.count > 0 && !view->state->wires.lifted && !unchanged;
-  if (pushed) {
-    const TbWireContacts contacts = tb_high_band_push(view->model, view->solve.warm.force, view->s,
-                                                      view->solve.work.turned, view->high.force);
+  TbWirePush *push = &view->state->high.push;
+  const bool changes = !unchanged || push->decays;
+  if (view->model->wires.count > 0 && !view->state->wires.lifted && changes) {
+    const TbWireContacts contacts =
+      tb_high_band_push(view->model, view->solve.warm.force, view->s, push, view->solve.work.turned,
+                        view->high.force);
     view->state->high.contacts.force += contacts.force;
     view->state->high.contacts.square += contacts.square;
     view->state->high.contacts.motion += contacts.motion;

@@ -313,6 +313,7 @@ static void carry_high(const TbView *from, TbView *to) {
   to->state->high.scattered = from->state->high.scattered;
   to->state->high.struck = from->state->high.struck;
   to->state->high.contacts = from->state->high.contacts;
+  to->state->high.push = from->state->high.push;
 }
 
 /* In another model modes come to rest, and heads to be linear, anew. */

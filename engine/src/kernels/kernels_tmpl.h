@@ -177,9 +177,8 @@ typedef struct TB_TYPE(TbKernels) {
   /* r = -(x + weight (p - before)), d = r; the largest |weight r|/firm and Sum r r. */
   TbResidualF (*left_over)(uint32_t n, const float *slope, const float *yield, const float *weight,
                            const float *x, const float *p, const float *before, float *r, float *d);
-  /* out = f[0] x[0] + f[1] x[1] + ... - base, with `count` terms */
-  void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x,
-                  const float *base, float *out);
+  /* out = f[0] x[0] + f[1] x[1] + ..., with `count` terms */
+  void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x, float *out);
 #else
   /* weight = sqrt(slope), r = (s - b) + p, d = -weight r */
   TbResidual (*weigh)(uint32_t n, const double *slope, const double *s, const double *b,

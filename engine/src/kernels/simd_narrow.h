@@ -37,8 +37,7 @@ static bool penetrate(uint32_t n, float side, const float *w, const double *v, c
 
 /* `blocks` blocks of eight side by side; `blocks` is a constant at every call. */
 static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *f,
-                                  const float *const *x, const float *base, uint32_t at,
-                                  float *out) {
+                                  const float *const *x, uint32_t at, float *out) {
   Lanes sum[4];
   for (uint32_t b = 0; b < blocks; b++) sum[b] = zero();
   for (uint32_t row = 0; row < count; row++) {
@@ -47,16 +46,14 @@ static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *
       sum[b] = add(sum[b], scale(load(x[row] + at + 8 * b), f[row]));
     }
   }
-  for (uint32_t b = 0; b < blocks; b++) {
-    store(out + at + 8 * b, subtract(sum[b], load(base + at + 8 * b)));
-  }
+  for (uint32_t b = 0; b < blocks; b++) store(out + at + 8 * b, sum[b]);
 }
 
 static void combine(uint32_t n, uint32_t count, const float *f, const float *const *x,
-                    const float *base, float *out) {
+                    float *out) {
   uint32_t at = 0;
-  for (; at + 32 <= n; at += 32) combine_blocks(4, count, f, x, base, at, out);
-  for (; at < n; at += 8) combine_blocks(1, count, f, x, base, at, out);
+  for (; at + 32 <= n; at += 32) combine_blocks(4, count, f, x, at, out);
+  for (; at < n; at += 8) combine_blocks(1, count, f, x, at, out);
 }
 
 #endif

@@ -274,8 +274,26 @@ static void fold_groups(const TbHighBand *band, const double *groups, Pushers to
   to[1].count = evens;
 }
 
+static const double STEADY = 200.0; /* [Hz] */
+/* [N]; a stroke has hundreds. */
+static const double NO_FORCE = 1e-6;
+
+/* Leaves of the groups' forces what does not stay, and nothing where that is next to nothing. */
+static void take_steady(const TbHighBand *band, uint32_t count, TbWirePush *push, double *forces) {
+  double most = 0.0;
+  for (uint32_t i = 0; i < count; i++) {
+    if (!push->known) push->steady[i] = forces[i];
+    forces[i] -= push->steady[i];
+    push->steady[i] += band->follow * forces[i];
+    most = fabs(forces[i]) > most ? fabs(forces[i]) : most;
+  }
+  push->known = 1;
+  push->decays = most > NO_FORCE;
+  if (!push->decays) memset(forces, 0, count * sizeof *forces);
+}
+
 TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, const double *s,
-                                 double *sums, float *out) {
+                                 TbWirePush *push, double *sums, float *out) {
   const TbHighBand *band = &model->high;
   const TbWires *wires = &model->wires;
   const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
@@ -283,25 +301,15 @@ TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, c
   double groups[TB_HIGH_GROUPS];
   Pushers pushers[2];
   if (!band->apart) group_forces(band, each, sums, groups);
-  fold_groups(band, band->apart ? sums : groups, pushers);
+  double *const forces = band->apart ? sums : groups;
+  take_steady(band, band->groups, push, forces);
+  fold_groups(band, forces, pushers);
   for (uint32_t p = 0; p < 2; p++) {
-    const TbHighPush *push = &band->push[p];
-    model->kernelsf->combine(push->size, pushers[p].count, pushers[p].values, pushers[p].rows,
-                             band->rest + push->from, out + push->from);
+    const TbHighPush *part = &band->push[p];
+    model->kernelsf->combine(part->size, pushers[p].count, pushers[p].values, pushers[p].rows,
+                             out + part->from);
   }
   return contacts;
-}
-
-TaborStatus tb_high_band_rest(TaborModel *model, TbArena *scratch) {
-  TbHighBand *band = &model->high;
-  if (band->count == 0 || model->wires.count == 0) return TABOR_OK;
-  double *sums = tb_arena_doubles(scratch, model->wires.stride);
-  float *push = tb_arena_take(scratch, band->padded, sizeof *push);
-  band->rest = tb_arena_take(&model->arena, band->padded, sizeof *band->rest);
-  if (!sums || !push || !band->rest) return TABOR_ERROR_MEMORY;
-  tb_high_band_push(model, model->rest.force, model->rest.force, sums, push);
-  memcpy(band->rest, push, band->padded * sizeof *push);
-  return TABOR_OK;
 }
 
 /* Mean squares of the shapes over a few wires stand for those over all. */
@@ -361,7 +369,9 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
                                  double top) {
   static bool (*const ROUND[])(TbHighBand *, TbArena *, uint32_t) = {
     [TB_IN_DOUBLE] = keep_ringing, [TB_IN_FLOAT] = round_ringing};
-  *band = (TbHighBand){.radius = model->head.radius, .precision = model->precision};
+  const double turn = 2.0 * PI * STEADY * model->time_step;
+  *band = (TbHighBand){
+    .radius = model->head.radius, .precision = model->precision, .follow = turn / (1.0 + turn)};
   if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);

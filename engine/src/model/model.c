@@ -373,8 +373,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                           {prepare_places, 0.0},
                           {prepare_truncated, 0.0},
                           {allocate_rest, 0.0},
-                          {tb_rest_prepare, 0.4 * cost->contacts},
-                          {tb_high_band_rest, 0.0}};
+                          {tb_rest_prepare, 0.4 * cost->contacts}};
   for (size_t i = 0; status == TABOR_OK && i < sizeof stages / sizeof *stages; i++) {
     begin_stage(watch, stages[i].seconds / whole);
     status = stages[i].prepare(model, scratch);

@@ -81,6 +81,9 @@ typedef struct TbLugs {
 typedef struct TbResting {
   uint32_t floor[TB_MODE_PARTS]; /* so many modes of each part (TbStretch.parts) never rest */
   double *most; /* [padded/8]: each mode of a block of eight rests below this energy [J] */
+  double *heard,
+    *heard_high; /* [padded], of the high band [high.padded]: see resting.h [1/(m2 kg)] */
+  bool sounds;   /* some microphone hears some mode */
 } TbResting;
 
 /* Offsets of the arrays of a drum's state, in bytes from the first array. */

@@ -3,29 +3,55 @@
 
 #include <math.h>
 
-#include "math/portable_math.h"
-
 static const double HEARD = 1e-6; /* of full scale: -120 dB */
 static const double FELT = 1e-11; /* [J] */
 
-/* Pressure per swing of a mode [1/(m kg^1/2)] at the microphone that hears it best, over its full scale. */
-static double loudness(const TaborModel *model, uint32_t mode, double omega) {
-  double most = 0.0;
-  for (uint32_t i = 0; i < model->def.mic_count; i++) {
-    const TbMic *mic = &model->mics[i];
-    const double sum = fabs(mic->ahead[mode]) + fabs(mic->behind[mode]);
-    most = fmax(most, model->def.mic[i].gain * sum);
-  }
-  return 2.0 * tb_sin(0.5 * omega * model->time_step) * most / model->def.full_scale;
+/* h of resting.h over the square of full scale, of a mode with the weights `ahead` and `behind` and t^2 = `turn`. */
+static double heard_at(const TaborDrumDef *def, uint32_t mic, double ahead, double behind,
+                       double turn) {
+  const double difference = ahead - behind, gain = fmax(def->mic[mic].gain, 1.0);
+  const double scale = gain / def->full_scale;
+  return scale * scale * (difference * difference + ahead * behind * turn);
 }
+
+static double square(double x) { return x * x; }
+
+static double *list_heard(TaborModel *model) {
+  const TbModes *modes = &model->modes;
+  double *heard = tb_arena_doubles(&model->arena, modes->padded);
+  for (uint32_t i = 0; heard && i < modes->padded; i++) {
+    const double turn = modes->stiffness[i] * square(model->time_step);
+    for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+      const double ahead = model->mics[mic].ahead[i], behind = model->mics[mic].behind[i];
+      heard[i] = fmax(heard[i], heard_at(&model->def, mic, ahead, behind, turn));
+    }
+    model->resting.sounds = model->resting.sounds || heard[i] > 0.0;
+  }
+  return heard;
+}
+
+static double *list_heard_high(TaborModel *model) {
+  const TbHighBand *high = &model->high;
+  double *heard = tb_arena_doubles(&model->arena, high->padded);
+  for (uint32_t i = 0; heard && i < high->padded; i++) {
+    const double turn = high->stiffness[i] * square(model->time_step);
+    for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+      const double ahead = high->ringing.ahead[mic][i], behind = high->ringing.behind[mic][i];
+      heard[i] = fmax(heard[i], heard_at(&model->def, mic, ahead, behind, turn));
+    }
+  }
+  return heard;
+}
+
+/* ---- modes at rest ---------------------------------------------------------------------------- */
 
 static double most_energy(const TaborModel *model, uint32_t mode) {
   const double count = (double)model->modes.count, felt = FELT / count;
-  if (model->modes.row[mode] == TB_NO_MODE) return felt;
+  const double heard = model->resting.heard[mode];
+  if (model->modes.row[mode] == TB_NO_MODE || heard == 0.0) return felt;
   const double omega = model->head.modes[model->modes.row[mode]].omega;
-  const double heard = loudness(model, mode, omega);
-  const double swing = omega * HEARD / (sqrt(count) * heard);
-  return heard > 0.0 ? fmin(felt, 0.5 * swing * swing) : felt;
+  const double turn = model->modes.stiffness[mode] * square(model->time_step);
+  return fmin(felt, 0.5 * square(omega * HEARD) / (count * turn * heard));
 }
 
 static void raise_floor(TaborModel *model, uint32_t mode) {
@@ -57,7 +83,9 @@ static void find_floor(TaborModel *model) {
 TaborStatus tb_resting_prepare(TaborModel *model) {
   const uint32_t blocks = model->modes.padded / 8u;
   double *most = tb_arena_doubles(&model->arena, blocks);
-  if (!most) return TABOR_ERROR_MEMORY;
+  model->resting.heard = list_heard(model);
+  model->resting.heard_high = list_heard_high(model);
+  if (!most || !model->resting.heard || !model->resting.heard_high) return TABOR_ERROR_MEMORY;
   for (uint32_t block = 0; block < blocks; block++) {
     most[block] = INFINITY;
     for (uint32_t i = 8u * block; i < 8u * block + 8u; i++) {

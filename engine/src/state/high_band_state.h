@@ -11,6 +11,7 @@ typedef struct TbHighBandState {
   uint32_t hold_steps;     /* steps since that was renewed */
   uint32_t struck;         /* 1: a striker other than a brush pushed the modes in the last step */
   TbWireContacts contacts; /* sums over these steps */
+  TbWirePush push;
 } TbHighBandState;
 
 /* Its arrays. */

@@ -23,6 +23,7 @@ static const double SILENT_ENERGY[] = {
   /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires. */
   [TB_IN_FLOAT] = 1e-15,
 };
+static const double UNHEARD = 1e-11; /* of full scale, squared: -110 dB */
 static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
 
@@ -48,48 +49,79 @@ static void clear_high(TbView *view) {
   memset(view->last.high, 0, bytes);
   view->state->high.wires_hold = view->state->high.hold_steps = view->state->high.struck = 0;
   view->state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
+  view->state->high.push = (TbWirePush){.known = 0};
+  memset(view->high.force, 0, view->model->high.padded * sizeof *view->high.force);
   tb_high_band_step_of(view)->begin(view); /* so that a stroke sounds alike whenever it comes */
 }
 
 static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }
 
-/* Stops all motion; a drum within rounding of its rest returns to it exactly. */
-static void fall_asleep(TbView *view) {
-  const TaborModel *model = view->model;
-  const bool at_rest =
-    fabs(tb_energy_stored(view, &view->now, &view->last)) < 10.0 * silent_energy(model);
-  const uint32_t rows = model->wires.stride + TB_SLOTS;
-  if (at_rest) {
-    memset(view->now.q, 0, model->modes.padded * sizeof(double));
-    memset(view->now.truncated, 0, sizeof view->state->strikers.truncated[0]);
-    memset(view->state->strikers.bow, 0, sizeof view->state->strikers.bow);
-    memset(view->now.v, 0, model->wires.node_count * sizeof(double));
-    for (uint32_t row = 0; row < model->wires.stride; row++) {
-      view->now.eta[row] =
-        model->rest.eta[row] + view->state->wires.shift[model->wires.row_wire[row]];
-      view->solve.warm.force[row] = model->rest.force[row];
-    }
-    for (uint32_t i = 0; i < TB_SLOTS; i++) {
-      if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
-    }
-    tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
-                     view->solve.warm.product);
-    tb_stretch_clear(view);
+/* True if a striker, a hand or wires of another tension hold the drum away from its rest. */
+static bool is_held(const TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    const uint32_t kind = tb_slot(view, i)->kind;
+    if (kind != TB_SLOT_FREE && kind != TB_SLOT_MUFFLER) return true;
   }
+  for (uint32_t w = 0; w < wires->count; w++) {
+    if (view->state->wires.coefficients[w].tension != wires->wires[w].tension) return true;
+  }
+  return false;
+}
+
+static void return_to_rest(TbView *view) {
+  const TaborModel *model = view->model;
+  memset(view->now.q, 0, model->modes.padded * sizeof(double));
+  memset(view->now.truncated, 0, sizeof view->state->strikers.truncated[0]);
+  memset(view->state->strikers.bow, 0, sizeof view->state->strikers.bow);
+  memset(view->now.v, 0, model->wires.node_count * sizeof(double));
+  for (uint32_t row = 0; row < model->wires.stride; row++) {
+    view->now.eta[row] =
+      model->rest.eta[row] + view->state->wires.shift[model->wires.row_wire[row]];
+    view->solve.warm.force[row] = model->rest.force[row];
+  }
+  for (uint32_t i = 0; i < TB_SLOTS; i++) {
+    if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
+  }
+  tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
+                   view->solve.warm.product);
+  tb_stretch_clear(view);
+}
+
+static void stop(TbView *view) {
+  const TaborModel *model = view->model;
+  const uint32_t rows = model->wires.stride + TB_SLOTS;
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));
   memcpy(view->last.z, view->now.z, TB_SLOTS * sizeof(double));
   memcpy(view->last.truncated, view->now.truncated, sizeof view->state->strikers.truncated[0]);
   memcpy(view->last.bow, view->now.bow, sizeof view->state->strikers.bow[0]);
-  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-    memset(view->mics.delay[mic], 0, (model->mics[mic].delay + 1u) * sizeof(double));
+}
+
+static void clear_mics(TbView *view) {
+  TbMicState *mics = &view->state->mics;
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    memset(view->mics.delay[mic], 0, (view->model->mics[mic].delay + 1u) * sizeof(double));
   }
-  memset(view->state->mics.treble, 0, sizeof view->state->mics.treble);
-  memset(view->state->mics.halved, 0, sizeof view->state->mics.halved);
-  memset(view->state->mics.response, 0, sizeof view->state->mics.response);
+  memset(mics->treble, 0, sizeof mics->treble);
+  memset(mics->halved, 0, sizeof mics->halved);
+  memset(mics->response, 0, sizeof mics->response);
+  mics->heard = 0;
+}
+
+static void fall_asleep(TbView *view) {
+  TaborLedger *sums = &view->state->ledger.sums;
+  const double stored = tb_energy_stored(view, &view->now, &view->last);
+  const double wires = tb_energy_wires(view, &view->now, &view->last);
+  if (fabs(stored) < 10.0 * silent_energy(view->model) || !is_held(view)) return_to_rest(view);
+  stop(view);
+  const double wires_lost = wires - tb_energy_wires(view, &view->now, &view->last);
+  const double lost = stored - tb_energy_stored(view, &view->now, &view->last);
+  sums->wire_loss += wires_lost;
+  sums->head_loss += lost - wires_lost;
+  clear_mics(view);
   clear_high(view);
-  view->state->mics.heard = 0;
   view->state->asleep = 1;
 }
 
@@ -106,6 +138,43 @@ static bool parameter_moves(const TbState *state) {
     if (state->live.values[i].left) return true;
   }
   return false;
+}
+
+static double most_gain(const TbView *view) {
+  const TbLiveParam *live = view->state->live.values;
+  double most = 1.0;
+  for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
+    const double gain = live[TB_LIVE_GAIN + mic].now;
+    if (gain > most) most = gain;
+  }
+  return most * view->model->def.full_scale / live[TB_LIVE_FULL_SCALE].now;
+}
+
+static bool is_unheard(const TbView *view) {
+  const double *heard = view->model->resting.heard, gain = most_gain(view);
+  double sum = tb_high_band_step_of(view)->heard(view);
+  for (uint32_t i = 0; i < view->model->modes.padded; i++) {
+    const double step = view->now.q[i] - view->last.q[i];
+    sum += heard[i] * step * step;
+  }
+  return view->model->resting.sounds && sum * gain * gain < UNHEARD;
+}
+
+/* True if wires touch what they touch at rest; those that are thrown off, nothing. */
+static bool wires_lie(const TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  if (view->state->wires.lifted) return true;
+  for (uint32_t row = 0; row < wires->stride; row++) {
+    const bool on = view->state->wires.shift[wires->row_wire[row]] == 0.0;
+    const bool rests = on && view->model->rest.force[row] > 0.0;
+    if ((view->solve.warm.force[row] > 0.0) != rests) return false;
+  }
+  return true;
+}
+
+static bool dies_away_unheard(const TbView *view) {
+  return view->model->precision == TB_IN_FLOAT && view->model->def.quality.losses &&
+         wires_lie(view) && is_unheard(view);
 }
 
 static void rest(TbView *view) {
@@ -133,8 +202,9 @@ void tb_sleep_check(TbView *view) {
   tb_wire_clearance_begin(view);
   tb_pluck_calm(view);
   tb_wire_motion_of(view)->settle(view);
-  const bool quiet = motion < silent_energy(view->model) && !striker_in_flight(view) &&
-                     !parameter_moves(state) && !tb_brush_moves(state) && !tb_pluck_acts(state);
+  const bool still = motion < silent_energy(view->model) || dies_away_unheard(view);
+  const bool quiet = still && !striker_in_flight(view) && !parameter_moves(state) &&
+                     !tb_brush_moves(state) && !tb_pluck_acts(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
 }

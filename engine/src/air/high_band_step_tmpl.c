@@ -94,6 +94,7 @@ static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
                                 .last = view->last.high,
                                 .next = view->next.high,
                                 .push = view->high.force,
+                                .share = (Real)view->state->high.push.share,
                                 .held = view->high.taken,
                                 .ahead = ringing->ahead[mic],
                                 .behind = ringing->behind[mic]};

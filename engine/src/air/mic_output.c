@@ -79,19 +79,26 @@ static void renew_hold(TbView *view) {
   tb_high_band_step_of(view)->hold(view, resistance);
 }
 
+/* What wires do to the high band, into view->high.force. */
+static void push_high(TbView *view, bool unchanged) {
+  TbHighBandState *high = &view->state->high;
+  if (view->model->wires.count == 0 || view->state->wires.lifted) return;
+  if (unchanged) {
+    tb_high_band_push_nothing(view->model, &high->push);
+    return;
+  }
+  const TbWireContacts contacts =
+    tb_high_band_push(view->model, view->solve.warm.force, view->s, &high->push,
+                      view->solve.work.turned, view->high.force, view->high.steady);
+  high->contacts.force += contacts.force;
+  high->contacts.square += contacts.square;
+  high->contacts.motion += contacts.motion;
+}
+
 /* One step; returns what microphone `mic` hears of its end. */
 static TbPair step_high(TbView *view, uint32_t mic, bool unchanged) {
   if (view->model->high.count == 0) return (TbPair){0.0, 0.0};
-  TbWirePush *push = &view->state->high.push;
-  const bool changes = !unchanged || push->decays;
-  if (view->model->wires.count > 0 && !view->state->wires.lifted && changes) {
-    const TbWireContacts contacts =
-      tb_high_band_push(view->model, view->solve.warm.force, view->s, push, view->solve.work.turned,
-                        view->high.force);
-    view->state->high.contacts.force += contacts.force;
-    view->state->high.contacts.square += contacts.square;
-    view->state->high.contacts.motion += contacts.motion;
-  }
+  push_high(view, unchanged);
   renew_hold(view);
   if (!view->state->high.struck) tb_high_band_step_of(view)->scatter(view);
   const TbPair heard = tb_high_band_step_of(view)->move(view, mic, divide(view));

@@ -308,6 +308,7 @@ static void carry_high(const TbView *from, TbView *to) {
   memcpy(to->last.high, from->last.high, bytes);
   memcpy(to->high.taken, from->high.taken, bytes);
   memcpy(to->high.turn, from->high.turn, bytes);
+  memcpy(to->high.steady, from->high.steady, bytes / 2u);
   to->state->high.wires_hold = from->state->high.wires_hold;
   to->state->high.hold_steps = from->state->high.hold_steps;
   to->state->high.scattered = from->state->high.scattered;

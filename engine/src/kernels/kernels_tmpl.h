@@ -23,6 +23,7 @@ typedef struct TB_TYPE(TbRing) {
   TbRingParts parts;
   const TB_REAL *a, *b, *now, *last, *held, *ahead, *behind;
   const float *push;
+  TB_REAL share; /* of push[] */
   TB_REAL *next;
 } TB_TYPE(TbRing);
 
@@ -106,7 +107,7 @@ typedef struct TB_TYPE(TbKernels) {
   void (*gather)(const TB_TYPE(TbGather) * gather);
   /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q` are 0. */
   void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]);
-  /* next = a now - b last + push, then next += held (last - next). Returns Sum ahead next and
+  /* next = a now - b last + share push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*ring)(const TB_TYPE(TbRing) * ring);
   /* turn = 2 sqrt(b) cos(p + d), p the turn per step of a, d = draw sqrt(walk + wires held). `last` follows, so that the

@@ -16,7 +16,7 @@ static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint
     const Lanes last = load(r.last + i);
     Lanes next =
       subtract(multiply_lanes(load(r.a + i), load(r.now + i)), multiply_lanes(load(r.b + i), last));
-    if (pushed) next = add(next, load_float(r.push + i));
+    if (pushed) next = add(next, scale(load_float(r.push + i), r.share));
     if (held) {
       next = add(next, multiply_lanes(load(r.held + i), subtract(last, next)));
     }

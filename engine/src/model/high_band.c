@@ -274,26 +274,19 @@ static void fold_groups(const TbHighBand *band, const double *groups, Pushers to
   to[1].count = evens;
 }
 
-static const double STEADY = 200.0; /* [Hz] */
-/* [N]; a stroke has hundreds. */
-static const double NO_FORCE = 1e-6;
-
-/* Leaves of the groups' forces what does not stay, and nothing where that is next to nothing. */
-static void take_steady(const TbHighBand *band, uint32_t count, TbWirePush *push, double *forces) {
-  double most = 0.0;
-  for (uint32_t i = 0; i < count; i++) {
-    if (!push->known) push->steady[i] = forces[i];
-    forces[i] -= push->steady[i];
-    push->steady[i] += band->follow * forces[i];
-    most = fabs(forces[i]) > most ? fabs(forces[i]) : most;
+static const double STEADY = 200.0;  /* [Hz] */
+static const double VANISHED = 16.0; /* 140 dB, as a logarithm */
+/* What does not stay of force[n], in its place, if `share` of steady[n] is left. */
+static void leave_steady(uint32_t n, float follow, float share, float *force, float *steady) {
+  for (uint32_t i = 0; i < n; i++) {
+    const float before = share * steady[i];
+    force[i] -= before;
+    steady[i] = before + follow * force[i];
   }
-  push->known = 1;
-  push->decays = most > NO_FORCE;
-  if (!push->decays) memset(forces, 0, count * sizeof *forces);
 }
 
 TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, const double *s,
-                                 TbWirePush *push, double *sums, float *out) {
+                                 TbWirePush *push, double *sums, float *out, float *steady) {
   const TbHighBand *band = &model->high;
   const TbWires *wires = &model->wires;
   const uint32_t count = wires->aligned ? wires->count : 1u, each = wires->stride / count;
@@ -301,15 +294,23 @@ TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, c
   double groups[TB_HIGH_GROUPS];
   Pushers pushers[2];
   if (!band->apart) group_forces(band, each, sums, groups);
-  double *const forces = band->apart ? sums : groups;
-  take_steady(band, band->groups, push, forces);
-  fold_groups(band, forces, pushers);
+  fold_groups(band, band->apart ? sums : groups, pushers);
   for (uint32_t p = 0; p < 2; p++) {
     const TbHighPush *part = &band->push[p];
     model->kernelsf->combine(part->size, pushers[p].count, pushers[p].values, pushers[p].rows,
                              out + part->from);
   }
+  const uint32_t from = band->push[0].from;
+  if (!push->known) memcpy(steady + from, out + from, band->driven * sizeof *out);
+  leave_steady(band->driven, band->follow, push->known ? (float)push->share : 1.0f, out + from,
+               steady + from);
+  *push = (TbWirePush){.known = 1, .left = band->vanishes, .share = 1.0};
   return contacts;
+}
+
+void tb_high_band_push_nothing(const TaborModel *model, TbWirePush *push) {
+  push->share = push->left > 1 ? push->share * (1.0 - (double)model->high.follow) : 0.0;
+  push->left -= push->left > 0;
 }
 
 /* Mean squares of the shapes over a few wires stand for those over all. */
@@ -370,8 +371,10 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
   static bool (*const ROUND[])(TbHighBand *, TbArena *, uint32_t) = {
     [TB_IN_DOUBLE] = keep_ringing, [TB_IN_FLOAT] = round_ringing};
   const double turn = 2.0 * PI * STEADY * model->time_step;
-  *band = (TbHighBand){
-    .radius = model->head.radius, .precision = model->precision, .follow = turn / (1.0 + turn)};
+  *band = (TbHighBand){.radius = model->head.radius,
+                       .precision = model->precision,
+                       .follow = (float)(turn / (1.0 + turn)),
+                       .vanishes = (uint32_t)(VANISHED * (1.0 + turn) / turn)};
   if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);

@@ -31,8 +31,8 @@
  * from 10 kHz on; 2,048 modes move them by up to 2 dB. 1,024 modes cost a snare drum 7 % and a tom 8 %.
  *
  * Of a force that stays, modes would only lean, and scattering, which turns them about their rest, would make noise of that: thrown
- * off, a snare drum's wires hissed at -86 dBFS for good, by the load that they had taken from the head. So the groups push
- * with what is left of their forces behind a high-pass filter of first order at 200 Hz, which takes 0.03 dB at 2.5 kHz.
+ * off, a snare drum's wires hissed at -86 dBFS for good, by the load that they had taken from the head. So modes are pushed
+ * by what is left of a push behind a high-pass filter of first order at 200 Hz, which takes 0.03 dB at 2.5 kHz.
  *
  * Strikers drive the modes through their patches. The wires' points are gathered in groups along
  * the bed; each group pushes at its middle. Evenly spaced forces along a wire almost cancel at the
@@ -90,7 +90,8 @@ typedef struct TbHighBand {
   bool apart;         /* each contact point of a wire is a group of its own number */
   bool folded;        /* groups are their own mirror images under x -> -x */
   TbHighPush push[2]; /* folded: odd orders feel differences, even ones sums; else [0] has all */
-  double follow; /* part of its way to a group's force that TbWirePush.steady goes in a step */
+  float follow;       /* part of its way to the push that goes in a step what stays of it */
+  uint32_t vanishes;  /* steps without a force after which nothing of it is left */
   TbWireHold wire_hold;   /* what wires in contact take from modes */
   uint8_t *hold_band;     /* [padded] band of each mode of the wires' head in that table */
   double radius;          /* of the head [m] */
@@ -104,18 +105,21 @@ struct TaborModel;
 TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const struct TaborModel *model,
                                  double top);
 
-/* What of the groups' forces stays. Zeroed: nothing is known, and the forces of the next push are what stays. */
+/* Zeroed: what of the push stays is not known, and the next push is what stays. */
 typedef struct TbWirePush {
-  double steady[TB_HIGH_GROUPS]; /* [N] */
-  uint32_t known;                /* 1: steady[] is */
-  uint32_t decays;               /* 1: it differs from the forces */
+  uint32_t known; /* 1: it is */
+  uint32_t left;  /* steps without a force until nothing of it is left */
+  double share;   /* of out[] and steady[] that is left since there was a force */
 } TbWirePush;
 
 /* Effect of the changes of the forces at the wires' contact points, force[stride], on the modes: out[padded], where wires
- * push. 0 to the bit while the forces stay, in a while. Returns sums over the contacts; s[stride] as in
- * solve.h. sums[stride] is scratch. Audio-safe. */
+ * push; steady[padded] is what stays of it. Returns sums over the contacts; s[stride] as in solve.h. sums[stride] is
+ * scratch. Audio-safe. */
 TbWireContacts tb_high_band_push(const struct TaborModel *model, const double *force,
-                                 const double *s, TbWirePush *push, double *sums, float *out);
+                                 const double *s, TbWirePush *push, double *sums, float *out,
+                                 float *steady);
+/* The same, if there were no forces in this step and in the last one: `share` of out[]. */
+void tb_high_band_push_nothing(const struct TaborModel *model, TbWirePush *push);
 
 /* Factors 2 J_1(Ka)/(Ka) of a patch of radius `patch_radius` [m]: patch[padded]. */
 void tb_high_band_patch(const TbHighBand *band, double patch_radius, double *patch);

@@ -38,6 +38,7 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
   ARRAY(high_drive, TB_HIGH_REALS, 1, 1, (size_t)TB_SLOTS * model->high.padded, high.drive)        \
   ARRAY(high_scratch, TB_SCRATCH, 1, 1, model->high.padded, high.scratch)                          \
   ARRAY(high_force, TB_FLOATS, 1, 1, model->high.padded / 2u, high.force)                          \
+  ARRAY(high_steady, TB_FLOATS, 1, 1, model->high.padded / 2u, high.steady)                        \
   ARRAY(high_turn, TB_HIGH_REALS, 1, 1, model->high.padded, high.turn)                             \
   ARRAY(high_taken, TB_HIGH_REALS, 1, 1, model->high.padded, high.taken)                           \
   ARRAY(stretch_pull, TB_DOUBLES, 2, model->stretch.count, TB_STATE_MODES, stretch.pull[copy])     \

@@ -172,9 +172,9 @@ static bool flags(const TaborModel *model, const TbState *state) {
   return state->newest < 3u && state->asleep <= 1u && state->wires.lifted <= (wires ? 1u : 0u) &&
          state->wires.flung <= (wires ? TB_FLUNG : 0u) &&
          state->high.wires_hold <= (wires ? 1u : 0u) && state->high.struck <= 1u &&
-         state->high.push.known <= 1u && state->high.push.decays <= 1u && state->airborne <= 1u &&
-         state->hushed <= 1u && state->stretches <= 1u && state->event_debt <= TB_DEBT_MOST &&
-         state->mics.heard >> model->def.mic_count == 0;
+         state->high.push.known <= 1u && state->high.push.left <= model->high.vanishes &&
+         state->airborne <= 1u && state->hushed <= 1u && state->stretches <= 1u &&
+         state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
 }
 
 /* What moves without strikers never rests. */
@@ -207,7 +207,7 @@ static bool numbers(const TbState *state) {
          all_within(NUMBERS(state->strikers.truncated), MOST) &&
          all_within(NUMBERS(state->strikers.bow), MOST) &&
          all_within((const double *)&state->high.contacts, 3, MOST) &&
-         all_within(NUMBERS(state->high.push.steady), MOST) &&
+         within(state->high.push.share, 1.0) &&
          all_within((const double *)&state->ledger.sums, sizeof state->ledger.sums / sizeof(double),
                     INFINITY);
 }

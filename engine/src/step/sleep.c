@@ -23,7 +23,10 @@ static const double SILENT_ENERGY[] = {
   /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires. */
   [TB_IN_FLOAT] = 1e-15,
 };
-static const double UNHEARD = 1e-11; /* of full scale, squared: -110 dB */
+static const double UNHEARD[] = {
+  [TB_IN_DOUBLE] = 0.0,  /* of full scale, squared */
+  [TB_IN_FLOAT] = 1e-11, /* -110 dB */
+};
 static const uint32_t SILENT_CHECKS = 16;
 static const double VANISHED = 1e-150; /* [m kg^1/2]; denormals begin at 1e-308 */
 
@@ -157,7 +160,7 @@ static bool is_unheard(const TbView *view) {
     const double step = view->now.q[i] - view->last.q[i];
     sum += heard[i] * step * step;
   }
-  return view->model->resting.sounds && sum * gain * gain < UNHEARD;
+  return view->model->resting.sounds && sum * gain * gain < UNHEARD[view->model->precision];
 }
 
 /* True if wires touch what they touch at rest; those that are thrown off, nothing. */
@@ -173,8 +176,7 @@ static bool wires_lie(const TbView *view) {
 }
 
 static bool dies_away_unheard(const TbView *view) {
-  return view->model->precision == TB_IN_FLOAT && view->model->def.quality.losses &&
-         wires_lie(view) && is_unheard(view);
+  return view->model->def.quality.losses && wires_lie(view) && is_unheard(view);
 }
 
 static void rest(TbView *view) {

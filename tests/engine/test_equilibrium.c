@@ -38,7 +38,7 @@ static Worst look_at(const TaborModel *model) {
   double *head = tb_arena_doubles(&arena, wires->stride);
   assert_false(arena.failed);
   tb_project(&model->projection, model->kernels, model->rest.q, points);
-  model->kernels->expand(grid, points, scratch, head);
+  model->kernels->grid_to_rows(grid, points, scratch, head);
   Worst worst = {0};
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (wires->real[row] == 0.0) continue;

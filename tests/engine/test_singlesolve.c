@@ -68,14 +68,14 @@ static void both_precisions_mean_the_same_grid(void **state) {
       x1[row] = (float)(model->wires.real[row] * physics_uniform(&seed, -1.0, 1.0));
       x[row] = (double)x1[row];
     }
-    model->kernels->contract(wire_grid, x, scratch, grid);
-    kernels->contract(rounded, x1, scratch1, grid1);
+    model->kernels->rows_to_grid(wire_grid, x, scratch, grid);
+    kernels->rows_to_grid(rounded, x1, scratch1, grid1);
     assert_true(off(wire_grid->size, grid1, grid) < 2e-6);
-    model->kernels->comply(&model->compliance, grid, answer);
-    kernels->comply(&model->compliancef, grid1, answer1);
+    model->kernels->apply_compliance(&model->compliance, grid, answer);
+    kernels->apply_compliance(&model->compliancef, grid1, answer1);
     assert_true(off(wire_grid->size, answer1, answer) < 4e-6);
-    model->kernels->expand(wire_grid, answer, scratch, x);
-    kernels->expand(rounded, answer1, scratch1, x1);
+    model->kernels->grid_to_rows(wire_grid, answer, scratch, x);
+    kernels->grid_to_rows(rounded, answer1, scratch1, x1);
     const double worst = off(rows, x1, x);
     print_message("%s: %u points of the grid, %u of the wires, off by %.1e\n", DRUMS[d],
                   wire_grid->size, rows, worst);

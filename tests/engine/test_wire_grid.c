@@ -58,7 +58,7 @@ static double worst_shape(const TaborModel *model) {
     room.modal[i] = 1.0;
     tb_project(&model->projection, model->kernels, room.modal, room.grid);
     room.modal[i] = 0.0;
-    model->kernels->expand(wire_grid, room.grid, room.scratch, room.rows);
+    model->kernels->grid_to_rows(wire_grid, room.grid, room.scratch, room.rows);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       table[(size_t)row * modes + i] = room.rows[row];
     }
@@ -127,8 +127,8 @@ static void work_is_the_same_on_both_sides(void **state) {
       room.modal[i] = physics_uniform(&seed, -1.0, 1.0);
     }
     tb_project(&model->projection, model->kernels, room.modal, room.answer);
-    model->kernels->expand(wire_grid, room.answer, room.scratch, room.other);
-    model->kernels->contract(wire_grid, room.rows, room.scratch, room.grid);
+    model->kernels->grid_to_rows(wire_grid, room.answer, room.scratch, room.other);
+    model->kernels->rows_to_grid(wire_grid, room.rows, room.scratch, room.grid);
     double rows = 0.0, grid = 0.0, scale = 0.0;
     for (uint32_t i = 0; i < n; i++) {
       rows += room.rows[i] * room.other[i];
@@ -158,9 +158,9 @@ static void compliance_agrees_with_the_modes(void **state) {
     if (model->wires.real[a] == 0.0) continue;
     memset(room.rows, 0, model->wires.stride * sizeof(double));
     room.rows[a] = 1.0;
-    model->kernels->contract(wire_grid, room.rows, room.scratch, room.grid);
-    model->kernels->comply(&model->compliance, room.grid, room.answer);
-    model->kernels->expand(wire_grid, room.answer, room.scratch, room.other);
+    model->kernels->rows_to_grid(wire_grid, room.rows, room.scratch, room.grid);
+    model->kernels->apply_compliance(&model->compliance, room.grid, room.answer);
+    model->kernels->grid_to_rows(wire_grid, room.answer, room.scratch, room.other);
     exact(model, a, radial, here);
     for (uint32_t b = 0; b < model->wires.stride; b += 7) {
       if (model->wires.real[b] == 0.0) continue;

@@ -32,11 +32,11 @@ static double response(const TaborModel *model, const double *gain, uint32_t fro
   double *q = tb_arena_doubles(&arena, model->modes.padded);
   assert_false(arena.failed);
   rows[from] = 1.0;
-  model->kernels->contract(grid, rows, fold, points);
+  model->kernels->rows_to_grid(grid, rows, fold, points);
   tb_project_forces(&model->projection, model->kernels, points, q);
   for (uint32_t i = 0; i < model->modes.padded; i++) q[i] *= gain[i];
   tb_project(&model->projection, model->kernels, q, points);
-  model->kernels->expand(grid, points, fold, rows);
+  model->kernels->grid_to_rows(grid, points, fold, rows);
   const double moved = rows[to];
   tb_arena_release(&arena);
   return moved;

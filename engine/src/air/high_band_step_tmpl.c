@@ -82,7 +82,7 @@ static void scatter(const TbView *view) {
                   .wires = holds(view, from) ? (Real)high->scatter_by_wires : REAL(0.0),
                   .last = (Real *)view->last.high + from,
                   .turn = (Real *)view->high.turn + from};
-  kernels_of(view)->scatter(&scattering);
+  kernels_of(view)->turn_phases(&scattering);
 }
 
 static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
@@ -98,12 +98,12 @@ static TbPair move(const TbView *view, uint32_t mic, TbRingParts parts) {
                                 .held = view->high.taken,
                                 .ahead = ringing->ahead[mic],
                                 .behind = ringing->behind[mic]};
-  return kernels_of(view)->ring(&ring);
+  return kernels_of(view)->resonate(&ring);
 }
 
 static void strike(const TbView *view, uint32_t slot, double force) {
-  kernels_of(view)->add_scaled(view->model->high.begin[1], view->next.high, (Real)force,
-                               drive_of(view, slot));
+  kernels_of(view)->axpy(view->model->high.begin[1], view->next.high, (Real)force,
+                         drive_of(view, slot));
 }
 
 static TbPair sums(const TbView *view, uint32_t mic, const TbPhase *phase) {

@@ -20,15 +20,16 @@ void tb_incident_push(TbView *view) {
   if (is_silent(sound)) return;
   const TbMic *mic = &model->mics[sound->mic];
   const TbPair pressure = {sound->now, sound->before};
-  model->kernels->push(pushed(view), pressure, mic->push_now, mic->push_before, model->modes.g,
-                       view->next.q);
+  model->kernels->push_by_sound(pushed(view), pressure, mic->push_now, mic->push_before,
+                                model->modes.g, view->next.q);
 }
 
 double tb_incident_product(const TbView *view, const double *x) {
   const TbIncident *sound = &view->incident;
   if (is_silent(sound)) return 0.0;
   const TbMic *mic = &view->model->mics[sound->mic];
-  const TbPair sums = view->model->kernels->heard(pushed(view), mic->push_now, mic->push_before, x);
+  const TbPair sums =
+    view->model->kernels->two_dots_of_parts(pushed(view), mic->push_now, mic->push_before, x);
   return sound->now * sums.first + sound->before * sums.second;
 }
 

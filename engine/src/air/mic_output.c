@@ -119,14 +119,16 @@ static double delayed(TbView *view, uint32_t mic, double value) {
 /* A and B of TbMic at one instant, of which the high band's part is known. */
 static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, TbPair high) {
   const TbMic *m = &view->model->mics[mic];
-  const TbPair sums = view->model->kernels->heard(&view->moving, m->ahead, m->behind, phase->q);
+  const TbPair sums =
+    view->model->kernels->two_dots_of_parts(&view->moving, m->ahead, m->behind, phase->q);
   return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
 /* What the tap hears: other drums hear the low modes alone. */
 static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase) {
   const TbMic *m = &view->model->mics[mic];
-  return view->model->kernels->heard(&view->model->modes.low, m->ahead, m->behind, phase->q);
+  return view->model->kernels->two_dots_of_parts(&view->model->modes.low, m->ahead, m->behind,
+                                                 phase->q);
 }
 
 /* The same at the end of the step, where end_modes() of step.c knows one microphone's. */

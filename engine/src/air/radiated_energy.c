@@ -13,9 +13,9 @@ static double beyond(const TbView *view, uint32_t group) {
     const double moved = view->next.q[power->mode[entry]] - view->last.q[power->mode[entry]];
     lost += power->loss[entry] * moved * moved;
   }
-  return view->model->kernels->radiate(count, power->mode + first, power->ahead + at,
-                                       power->behind + at, view->next.q, view->now.q,
-                                       view->last.q) -
+  return view->model->kernels->radiated_power(count, power->mode + first, power->ahead + at,
+                                              power->behind + at, view->next.q, view->now.q,
+                                              view->last.q) -
          lost;
 }
 

@@ -70,8 +70,8 @@ static void add_others(TbSolve *solve, const double *x, const double *grid, doub
 static TbResidual find_residual(TbSolve *solve) {
   const TbSolveWork *work = &solve->work;
   product_of(solve, work->wires, work->law, work->grid, work->product);
-  return solve->in.kernels->weigh(total_rows(solve), work->slope, work->s, solve->in.b,
-                                  work->product, work->weight, work->direction);
+  return solve->in.kernels->newton_rhs(total_rows(solve), work->slope, work->s, solve->in.b,
+                                       work->product, work->weight, work->direction);
 }
 
 /* From the laws at s on, whose residual has been found; force, product, grid and s follow. Returns
@@ -82,8 +82,8 @@ static double newton_step(TbSolve *solve, TbResidual found, uint32_t cap, double
   memset(work->solution, 0, rows * sizeof(double));
   memcpy(work->residual, work->direction, rows * sizeof(double));
   solve_inner(solve, found.square, cap, found.square * tolerance * tolerance);
-  return solve->in.kernels->follow(rows, work->law, work->weight, work->solution, solve->in.b,
-                                   work->product, work->force, work->s);
+  return solve->in.kernels->newton_finish(rows, work->law, work->weight, work->solution,
+                                          solve->in.b, work->product, work->force, work->s);
 }
 
 static void take_law_forces(TbSolve *solve) {

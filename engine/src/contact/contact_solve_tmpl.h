@@ -64,8 +64,8 @@ static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Re
   const TYPE_OF(TbWireGrid) *wire_grid = solve->in.NAME_OF(wire_grid);
   TB_STAGE(PRODUCT);
   if (wires) {
-    kernels->contract(wire_grid, x, work->scratch, grid);
-    kernels->comply(solve->in.NAME_OF(compliance), grid, work->answer);
+    kernels->rows_to_grid(wire_grid, x, work->scratch, grid);
+    kernels->apply_compliance(solve->in.NAME_OF(compliance), grid, work->answer);
   } else {
     memset(grid, 0, wire_grid->size * sizeof *grid);
     memset(work->answer, 0, wire_grid->size * sizeof *grid);
@@ -74,7 +74,7 @@ static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Re
   if (solve->in.lifted) {
     memset(out, 0, solve->in.stride * sizeof *out);
   } else {
-    kernels->expand(wire_grid, work->answer, work->scratch, out);
+    kernels->grid_to_rows(wire_grid, work->answer, work->scratch, out);
   }
   kernels->add_product(total_rows(solve), out, contact_compliance_of(solve), x);
   TB_STAGE(LAWS);
@@ -112,26 +112,28 @@ static void apply_laws(TbSolve *solve, const Real *s) {
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* Goes on from the `residual` of (I + W M W) x = d, whose square is given, by conjugate gradients
- * until it is `enough`, W = diag(weight); adds M W dx to `product`, and W dx on the grid to
- * `grid`. */
-static void solve_inner(TbSolve *solve, Real square, uint32_t cap, Real enough) {
+/* Conjugate gradients [HestenesStiefel1952] on A x = d, A = I + W M W, W = diag(weight), from x, r = `residual` and p = `direction` on, rho = r.r
+ * given, until rho is `enough`:
+ *   q = A p,  alpha = rho/p.q,  x += alpha p,  r -= alpha q,  beta = r.r/rho,  p = r + beta p.
+ * Adds M W dx to `product`, and W dx on the grid to `grid`. */
+static void solve_inner(TbSolve *solve, Real rho, uint32_t cap, Real enough) {
   const Kernels *kernels = kernels_of(solve);
   const Work *work = work_of(solve);
   const uint32_t rows = total_rows(solve), size = solve->in.wire_grid->size;
-  Real again = REAL(0.0); /* how much of the last direction the next one keeps */
-  for (uint32_t i = 0; i < cap && square > enough; i++) {
-    if (i > 0) kernels->redirect(rows, again, work->direction, work->residual);
-    kernels->product(rows, work->turned, work->weight, work->direction);
-    product_of(solve, work->wires, work->turned, work->pushed, work->moved);
-    const Real bend = kernels->turn(rows, work->turned, work->direction, work->weight, work->moved);
-    const Real step = square / bend;
-    const Real next =
-      kernels->advance(rows, step, work->solution, work->direction, work->residual, work->turned);
-    kernels->add_scaled(rows, work->product, step, work->moved);
-    kernels->add_scaled(size, work->grid, step, work->pushed);
-    again = next / square;
-    square = next;
+  Real *const x = work->solution, *const r = work->residual, *const p = work->direction;
+  Real *const q = work->turned, *const w_p = work->turned; /* q takes the place of W p */
+  Real *const m_w_p = work->moved, *const grid_w_p = work->pushed;
+  Real beta = REAL(0.0);
+  for (uint32_t i = 0; i < cap && rho > enough; i++) {
+    if (i > 0) kernels->xpby(rows, beta, p, r);
+    kernels->product(rows, w_p, work->weight, p);
+    product_of(solve, work->wires, w_p, grid_w_p, m_w_p);
+    const Real alpha = rho / kernels->cg_apply(rows, q, p, work->weight, m_w_p);
+    const Real next = kernels->cg_advance(rows, alpha, x, p, r, q);
+    kernels->axpy(rows, work->product, alpha, m_w_p);
+    kernels->axpy(size, work->grid, alpha, grid_w_p);
+    beta = next / rho;
+    rho = next;
   }
 }
 
@@ -186,7 +188,7 @@ static End give_rows(TbSolve *solve, uint32_t from, uint32_t rows, Real t) {
              .to_f = solve->warm.force + from,
              .to_p = solve->warm.product + from,
              .to_s = solve->s + from};
-  kernels_of(solve)->end(rows, &end);
+  kernels_of(solve)->finish(rows, &end);
   return end;
 }
 

@@ -101,7 +101,7 @@ static void add_stretch(TbSolve *solve, const float *grid, float *out) {
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
     const double *w = solve->in.stretch_weight[h];
     const float pull = -((float)w[0] * along[0] + (float)w[1] * along[1]);
-    kernels->add_scaled(size, work->answer, pull, work->stretch[h]);
+    kernels->axpy(size, work->answer, pull, work->stretch[h]);
   }
   memset(out + solve->in.stride, 0, TB_SLOTS * sizeof *out);
 }
@@ -118,10 +118,10 @@ static void add_others(TbSolve *solve, const float *x, const float *grid, float 
 
 /* Forces move as if each row's own yielding and the head's right below it were all. Returns the
  * largest change. */
-static float aim(TbSolve *solve) {
+static float newton_diagonal(TbSolve *solve) {
   const TbSolveWorkF *work = &solve->workf;
-  return solve->in.kernelsf->aim(total_rows(solve), work->law, work->slope, work->yield,
-                                 work->force, work->weight, work->solution);
+  return solve->in.kernelsf->newton_diagonal(total_rows(solve), work->law, work->slope, work->yield,
+                                             work->force, work->weight, work->solution);
 }
 
 /* Goes on from there until forces and laws, were these lines, would agree to `enough`: with the
@@ -134,14 +134,14 @@ static float newton_step(TbSolve *solve, float enough) {
   memcpy(work->before, work->product, rows * sizeof(float));
   product_of(solve, true, work->force, work->grid, work->product);
   const TbResidualF left =
-    kernels->left_over(rows, work->slope, work->yield, work->weight, work->solution, work->product,
-                       work->before, work->residual, work->direction);
+    kernels->newton_residual(rows, work->slope, work->yield, work->weight, work->solution,
+                             work->product, work->before, work->residual, work->direction);
   if (left.largest > enough) {
     const float part = enough / left.largest;
     solve_inner(solve, left.square, solve->in.inner_cap, left.square * part * part);
   }
-  return kernels->follow(rows, work->law, work->weight, work->solution, work->b, work->product,
-                         work->force, work->s);
+  return kernels->newton_finish(rows, work->law, work->weight, work->solution, work->b,
+                                work->product, work->force, work->s);
 }
 
 /* Newton's iteration from the last sample's forces on, with the laws at s; true if all is given
@@ -151,7 +151,7 @@ static bool iterate(TbSolve *solve, TbStartF size, TbSolveOutcome *outcome) {
   const size_t bytes = total_rows(solve) * sizeof(float);
   memcpy(work->force, work->force_last, bytes);
   memcpy(work->product, work->product_last, bytes);
-  const float first = aim(solve);
+  const float first = newton_diagonal(solve);
   if (first == 0.0f) {
     give_back(solve, (Move){0.0f, 0.0f}, outcome);
     return true;
@@ -160,7 +160,7 @@ static bool iterate(TbSolve *solve, TbStartF size, TbSolveOutcome *outcome) {
   const float wanted = (float)solve->in.tolerance * first, noise = NOISE * size.force;
   for (uint32_t i = 0; i < solve->in.cap; i++) {
     outcome->iterations = i + 1;
-    if (i > 0) aim(solve);
+    if (i > 0) newton_diagonal(solve);
     const float way = newton_step(solve, (i > 0 ? NEXT_AIM : FIRST_AIM) * wanted + noise);
     if (goes_astray(way, size)) return false;
     if (settles(solve, wanted + noise, BALANCE_REACH, outcome)) return true;
@@ -185,8 +185,8 @@ static float begin_slots(TbSolve *solve, TbStartF *size) {
   size->change = larger_of(slots.change, size->change);
   size->depth = larger_of(slots.depth, size->depth);
   size->force = larger_of(slots.force, size->force);
-  return kernels->aim(TB_SLOTS, work->law + at, work->slope + at, work->yield + at,
-                      work->force + at, work->weight + at, work->solution + at);
+  return kernels->newton_diagonal(TB_SLOTS, work->law + at, work->slope + at, work->yield + at,
+                                  work->force + at, work->weight + at, work->solution + at);
 }
 
 /* Takes the input in, and moves forces as if each row's own yielding and the head's right below it were all. Returns the
@@ -194,8 +194,8 @@ static float begin_slots(TbSolve *solve, TbStartF *size) {
 static float begin(TbSolve *solve, TbStartF *size) {
   const TbWireGridF *grid = solve->in.wire_gridf;
   *size = start_at(solve, 0);
-  const float wires = solve->in.kernelsf->begin(grid->wires, grid->lanes, solve->in.wire_laws, size,
-                                                solve->workf.force);
+  const float wires = solve->in.kernelsf->start_newton_diagonal(
+    grid->wires, grid->lanes, solve->in.wire_laws, size, solve->workf.force);
   take_stretch(solve);
   solve->workf.wires = true;
   return solve->in.slot_mask ? larger_of(begin_slots(solve, size), wires) : wires;
@@ -244,7 +244,7 @@ static bool balance_trial(TbSolve *solve, TbTrial *trial) {
     if (REAL_SIZE(miss) <= BALANCE_WINDOW * sums.size) return true;
     trial->t -= miss / sums.derivative;
     if (i == MOST_BALANCE_STEPS || !(REAL_SIZE(trial->t) <= BALANCE_REACH)) return false;
-    solve->in.kernelsf->try_moved(trial);
+    solve->in.kernelsf->trial_moved(trial);
     try_slots(solve, NULL, trial);
   }
 }
@@ -260,7 +260,7 @@ static void give_trial(TbSolve *solve, const TbTrial *trial, TbSolveOutcome *out
                         .to_f = solve->warm.force,
                         .to_p = solve->warm.product,
                         .to_s = solve->s};
-  solve->in.kernelsf->give(solve->in.stride, &wires);
+  solve->in.kernelsf->finish_forces(solve->in.stride, &wires);
   const uint32_t touching = trial->touching + give_slots(solve, trial->t);
   book(solve, trial->lost - trial->balance.value, touching, outcome);
   move_grid(solve, trial->t);
@@ -277,7 +277,7 @@ static bool settles_at_once(TbSolve *solve, TbStartF size, float enough, bool *r
   TbTrial trial = trial_of(solve);
   take_grid(solve);
   product_of(solve, true, work->force, work->grid, work->product);
-  solve->in.kernelsf->try_forces(&trial);
+  solve->in.kernelsf->trial_at_forces(&trial);
   try_slots(solve, work->yield, &trial);
   if (goes_astray(trial.way, size) || !(trial.balance.miss <= enough)) return false;
   const TbTrial still = trial;

@@ -12,8 +12,8 @@ void tb_solve_stretch(const TbContacts *in, const double *pushed, const double *
   for (uint32_t h = 0; h < in->stretch_count; h++) {
     const double *w = in->stretch_weight[h];
     const double pull = -(w[0] * along[0] + w[1] * along[1]);
-    in->kernels->add_scaled(size, answer, pull, in->stretch_grid[h]);
-    in->kernels->add_scaled(TB_SLOTS, out, pull, in->stretch_slots[h]);
+    in->kernels->axpy(size, answer, pull, in->stretch_grid[h]);
+    in->kernels->axpy(TB_SLOTS, out, pull, in->stretch_slots[h]);
   }
 }
 
@@ -28,6 +28,6 @@ void tb_solve_slots(const TbContacts *in, const double *pushed, const double *sl
     for (uint32_t other = 0; other < TB_SLOTS; other++) {
       out[slot] += in->slot_coupling[slot * TB_SLOTS + other] * slots[other];
     }
-    if (slots[slot] != 0.0) in->kernels->add_scaled(size, answer, slots[slot], coupling);
+    if (slots[slot] != 0.0) in->kernels->axpy(size, answer, slots[slot], coupling);
   }
 }

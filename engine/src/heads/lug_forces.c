@@ -10,7 +10,7 @@ static void pull_of(const TaborModel *model, const double *q, double *pull) {
     const double *from = q + lugs->from[group];
     for (uint32_t i = 0; i < lugs->size[group]; i++) gathered[next++] = from[i];
   }
-  model->kernels->multiply_rounded(lugs->count / 8, lugs->count, pull, lugs->pull, gathered);
+  model->kernels->gemv_rounded(lugs->count / 8, lugs->count, pull, lugs->pull, gathered);
 }
 
 void tb_lug_forces_pull(TbView *view) {

@@ -228,11 +228,11 @@ void tb_stretch_yield(TbView *view, double *slots) {
   }
   for (uint32_t h = 0; h < view->stretch.count; h++) {
     const double pull = -tension(view, h, along);
-    model->kernels->add_scaled(TB_SLOTS, slots, model->wires.side * pull,
-                               view->solve.in.stretch_slots[h]);
+    model->kernels->axpy(TB_SLOTS, slots, model->wires.side * pull,
+                         view->solve.in.stretch_slots[h]);
     if (view->state->wires.lifted) continue;
-    model->kernels->add_scaled(model->projection.wire_grid.size, view->change, pull,
-                               view->solve.in.stretch_grid[h]);
+    model->kernels->axpy(model->projection.wire_grid.size, view->change, pull,
+                         view->solve.in.stretch_grid[h]);
   }
 }
 
@@ -244,7 +244,7 @@ void tb_stretch_renew(TbView *view) {
   double *carry = view->stretch.carry;
   tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
   if (!view->state->wires.lifted) tb_wire_motion_of(view)->renew(view, carry);
-  solve->in.kernels->add_scaled(TB_SLOTS, solve->warm.product + stride, 1.0, carry + size);
+  solve->in.kernels->axpy(TB_SLOTS, solve->warm.product + stride, 1.0, carry + size);
 }
 
 /* side r f, by all contacts. */
@@ -270,9 +270,9 @@ void tb_stretch_respond(TbView *view) {
   for (uint32_t h = 0; h < view->stretch.count; h++) {
     view->end.stretch[h] = -tension(view, h, along);
     const double past = tension(view, h, pushed);
-    model->kernels->add_scaled(size, view->stretch.carry, past, view->solve.in.stretch_grid[h]);
-    model->kernels->add_scaled(TB_SLOTS, view->stretch.carry + size, past,
-                               view->solve.in.stretch_slots[h]);
+    model->kernels->axpy(size, view->stretch.carry, past, view->solve.in.stretch_grid[h]);
+    model->kernels->axpy(TB_SLOTS, view->stretch.carry + size, past,
+                         view->solve.in.stretch_slots[h]);
   }
   view->solve.in.stretch_count = 0; /* it belongs to this sample alone */
   count_unstretched(view);

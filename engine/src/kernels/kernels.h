@@ -4,7 +4,7 @@
  *
  * Every instruction set computes the same bits. A sum either runs in 8 fixed SIMD lanes that one
  * fixed tree joins, or term by term in ascending order into independent results. Nothing is
- * contracted into fused operations. Lengths are multiples of 8 (only `multiply` takes any n);
+ * contracted into fused operations. Lengths are multiples of 8 (only `gemv` takes any n);
  * arrays are aligned to 64 bytes. Audio-safe. */
 #ifndef TB_KERNELS_H
 #define TB_KERNELS_H

@@ -11,14 +11,14 @@ typedef struct TB_TYPE(TbGather) {
   uint32_t rest, stride;
   const TB_REAL *matrix, *transposed;
 #if !TB_REAL_IS_FLOAT
-  const float *rounded; /* in place of `matrix`, for `gather_rounded` */
+  const float *rounded; /* in place of `matrix`, for `gemm_rounded` */
 #endif
   const TB_REAL *x[2];
   double *out[2];
 } TB_TYPE(TbGather);
 
 /* A step of the high band and the signal of one microphone (mic_output.h). Arrays are [modes].
- * `push` is read for pushed modes, `held` for held ones. */
+ * `push_by_sound` is read for pushed modes, `held` for held ones. */
 typedef struct TB_TYPE(TbRing) {
   TbRingParts parts;
   const TB_REAL *a, *b, *now, *last, *held, *ahead, *behind;
@@ -92,7 +92,7 @@ typedef struct TB_TYPE(TbKernels) {
   /* Sum u x and Sum v x */
   TbPair (*two_dots)(uint32_t n, const TB_REAL *u, const TB_REAL *v, const TB_REAL *x);
   /* out += f x; out += x y; out = x y */
-  void (*add_scaled)(uint32_t n, TB_REAL *out, TB_REAL f, const TB_REAL *x);
+  void (*axpy)(uint32_t n, TB_REAL *out, TB_REAL f, const TB_REAL *x);
   void (*add_product)(uint32_t n, TB_REAL *out, const TB_REAL *x, const TB_REAL *y);
   void (*product)(uint32_t n, TB_REAL *out, const TB_REAL *x, const TB_REAL *y);
   /* Largest |x - y| */
@@ -101,30 +101,30 @@ typedef struct TB_TYPE(TbKernels) {
   void (*extrapolate)(uint32_t n, TB_REAL t, const TB_REAL *x, const TB_REAL *before,
                       const TB_REAL *base, TB_REAL *out);
   /* out[8 b + l] = Sum_i matrix[b][i][l] x[i], i ascending, for b < blocks, i < n */
-  void (*multiply)(uint32_t blocks, uint32_t n, TB_REAL *out, const TB_REAL *matrix,
-                   const TB_REAL *x);
+  void (*gemv)(uint32_t blocks, uint32_t n, TB_REAL *out, const TB_REAL *matrix, const TB_REAL *x);
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
-  void (*gather)(const TB_TYPE(TbGather) * gather);
+  void (*gemm)(const TB_TYPE(TbGather) * gather);
   /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q` are 0. */
   void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]);
   /* next = a now - b last + share push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
-  TbPair (*ring)(const TB_TYPE(TbRing) * ring);
+  TbPair (*resonate)(const TB_TYPE(TbRing) * ring);
   /* turn = 2 sqrt(b) cos(p + d), p the turn per step of a, d = draw sqrt(walk + wires held). `last` follows, so that the
    * motion keeps amplitude and phase at `now`. Modes with walk = 0 stay. */
-  void (*scatter)(const TB_TYPE(TbScattering) * scattering);
+  void (*turn_phases)(const TB_TYPE(TbScattering) * scattering);
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
 
   /* From rows x[wires * lanes] to the grid under the wires (wire_grid.h), back to rows, and out = G
    * grid. */
-  void (*contract)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *x, TB_REAL *scratch,
-                   TB_REAL *grid);
-  void (*expand)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *grid, TB_REAL *scratch,
-                 TB_REAL *x);
-  void (*comply)(const TB_TYPE(TbCompliance) * compliance, const TB_REAL *grid, TB_REAL *out);
+  void (*rows_to_grid)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *x, TB_REAL *scratch,
+                       TB_REAL *grid);
+  void (*grid_to_rows)(const TB_TYPE(TbWireGrid) * wire_grid, const TB_REAL *grid, TB_REAL *scratch,
+                       TB_REAL *x);
+  void (*apply_compliance)(const TB_TYPE(TbCompliance) * compliance, const TB_REAL *grid,
+                           TB_REAL *out);
   void (*start)(uint32_t n, TB_TYPE(TbStart) * start);
-  void (*end)(uint32_t n, TB_TYPE(TbEnd) * end);
+  void (*finish)(uint32_t n, TB_TYPE(TbEnd) * end);
   /* The laws of `wires` wires with `lanes` rows each: force and slope at s, and the mean of V'
    * between y and y + s. root = sqrt(y), 0 where y < 0, or NULL. */
   void (*laws)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws, const TB_REAL *y,
@@ -134,12 +134,13 @@ typedef struct TB_TYPE(TbKernels) {
   TB_REAL (*change)(uint32_t n, const TB_REAL *b, const TB_REAL *p, TB_REAL *s);
   /* Conjugate gradients: out = d + w m, returns Sum d out; p += t d and r -= t m, returns Sum r r;
    * d = r + t d. */
-  TB_REAL (*turn)(uint32_t n, TB_REAL *out, const TB_REAL *d, const TB_REAL *w, const TB_REAL *m);
-  TB_REAL(*advance)
+  TB_REAL (*cg_apply)
+  (uint32_t n, TB_REAL *out, const TB_REAL *d, const TB_REAL *w, const TB_REAL *m);
+  TB_REAL(*cg_advance)
   (uint32_t n, TB_REAL t, TB_REAL *p, const TB_REAL *d, TB_REAL *r, const TB_REAL *m);
-  void (*redirect)(uint32_t n, TB_REAL t, TB_REAL *d, const TB_REAL *r);
+  void (*xpby)(uint32_t n, TB_REAL t, TB_REAL *d, const TB_REAL *r);
   /* f = law + weight x, s = b - p; returns the largest |s| */
-  TB_REAL(*follow)
+  TB_REAL(*newton_finish)
   (uint32_t n, const TB_REAL *law, const TB_REAL *weight, const TB_REAL *x, const TB_REAL *b,
    const TB_REAL *p, TB_REAL *f, TB_REAL *s);
   /* With g = f - f_last, m = p - p_last, f' = f + t g: Sum s (law - f'); its derivative in t, which
@@ -164,33 +165,34 @@ typedef struct TB_TYPE(TbKernels) {
                     const double *load, const double *y, double *b);
   /* `start` for the rows of wires, and the laws there: f = f_last + (law - f_last)/(1 + slope yield). Returns the largest
    * change of f. */
-  float (*begin)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws, TbStartF *start,
-                 float *f);
-  /* The laws at s = b - p - t (p - p_last), never stored: `try_forces` takes t = 0, and finds `way` and `miss`, too. */
-  void (*try_forces)(TbTrial *trial);
-  void (*try_moved)(TbTrial *trial);
-  /* `end` without the sums of the laws. */
-  void (*give)(uint32_t n, const TbEndF *end);
+  float (*start_newton_diagonal)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws,
+                                 TbStartF *start, float *f);
+  /* The laws at s = b - p - t (p - p_last), never stored: `trial_at_forces` takes t = 0, and finds `way` and `miss`, too. */
+  void (*trial_at_forces)(TbTrial *trial);
+  void (*trial_moved)(TbTrial *trial);
+  /* `finish` without the sums of the laws. */
+  void (*finish_forces)(uint32_t n, const TbEndF *end);
   /* With `firm` = 1 + slope yield: weight = sqrt(slope), f += (law - f)/firm, and x with law + weight x
    * = f. Returns the largest change of f. */
-  float (*aim)(uint32_t n, const float *law, const float *slope, const float *yield, float *f,
-               float *weight, float *x);
+  float (*newton_diagonal)(uint32_t n, const float *law, const float *slope, const float *yield,
+                           float *f, float *weight, float *x);
   /* r = -(x + weight (p - before)), d = r; the largest |weight r|/firm and Sum r r. */
-  TbResidualF (*left_over)(uint32_t n, const float *slope, const float *yield, const float *weight,
-                           const float *x, const float *p, const float *before, float *r, float *d);
+  TbResidualF (*newton_residual)(uint32_t n, const float *slope, const float *yield,
+                                 const float *weight, const float *x, const float *p,
+                                 const float *before, float *r, float *d);
   /* out = f[0] x[0] + f[1] x[1] + ..., with `count` terms */
-  void (*combine)(uint32_t n, uint32_t count, const float *f, const float *const *x, float *out);
+  void (*sum_scaled)(uint32_t n, uint32_t count, const float *f, const float *const *x, float *out);
 #else
   /* weight = sqrt(slope), r = (s - b) + p, d = -weight r */
-  TbResidual (*weigh)(uint32_t n, const double *slope, const double *s, const double *b,
-                      const double *p, double *weight, double *d);
+  TbResidual (*newton_rhs)(uint32_t n, const double *slope, const double *s, const double *b,
+                           const double *p, double *weight, double *d);
 
   /* ---- the state ---------------------------------------------------------------------------- */
 
-  /* `multiply` and `gather` with a matrix in single precision, summed in double. */
-  void (*multiply_rounded)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
-                           const double *x);
-  void (*gather_rounded)(const TbGather *gather);
+  /* `gemv` and `gemm` with a matrix in single precision, summed in double. */
+  void (*gemv_rounded)(uint32_t blocks, uint32_t n, double *out, const float *matrix,
+                       const double *x);
+  void (*gemm_rounded)(const TbGather *gather);
   /* out = a x - b y */
   void (*two_step)(uint32_t n, double *out, const double *a, const double *x, const double *b,
                    const double *y);
@@ -204,19 +206,21 @@ typedef struct TB_TYPE(TbKernels) {
    * Sum behind next. */
   void (*end_modes)(const TbParts *parts, TbModesEnd *end);
   /* next += g (sound.first now + sound.second before) */
-  void (*push)(const TbParts *parts, TbPair sound, const double *now, const double *before,
-               const double *g, double *next);
+  void (*push_by_sound)(const TbParts *parts, TbPair sound, const double *now, const double *before,
+                        const double *g, double *next);
   /* Sum ahead q and Sum behind q */
-  TbPair (*heard)(const TbParts *parts, const double *ahead, const double *behind, const double *q);
+  TbPair (*two_dots_of_parts)(const TbParts *parts, const double *ahead, const double *behind,
+                              const double *q);
   /* Sum c |x| */
-  double (*reach)(uint32_t n, const double *c, const double *x);
+  double (*weighted_size)(uint32_t n, const double *c, const double *x);
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */
   void (*losses)(uint32_t n, uint32_t count, const double *const w[3], const double *next,
                  const double *last, double sums[3]);
   /* Sum over 8 lanes i of (Sum_j ahead[j][i] (next - now) + behind[j][i] (last - now))^2, with next, now and last at
    * mode[j], for `count` modes. */
-  double (*radiate)(uint32_t count, const uint32_t *mode, const double *ahead, const double *behind,
-                    const double *next, const double *now, const double *last);
+  double (*radiated_power)(uint32_t count, const uint32_t *mode, const double *ahead,
+                           const double *behind, const double *next, const double *now,
+                           const double *last);
   /* out = x - y */
   void (*subtract)(uint32_t n, const double *x, const double *y, double *out);
 
@@ -240,7 +244,8 @@ typedef struct TB_TYPE(TbKernels) {
                     const double *w, const double *v, const double *rest, const double *last,
                     const double *load, double *b);
   /* v += contact_compliance (f - rest), eta = last + s */
-  void (*move)(uint32_t n, const double *contact_compliance, const double *f, const double *rest,
-               const double *last, const double *s, double *v, double *eta);
+  void (*move_wires)(uint32_t n, const double *contact_compliance, const double *f,
+                     const double *rest, const double *last, const double *s, double *v,
+                     double *eta);
 #endif
 } TB_TYPE(TbKernels);

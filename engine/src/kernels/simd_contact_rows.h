@@ -63,7 +63,7 @@ static void start(uint32_t n, Start *whole) {
   give_sizes(&sizes, whole);
 }
 
-static void end(uint32_t n, End *whole) {
+static void finish(uint32_t n, End *whole) {
   const End copy = *whole, *at = &copy;
   Lanes sum = zero(), touching = zero();
   for (uint64_t i = 0; i < n; i += 8) {
@@ -90,8 +90,8 @@ static Real change(uint32_t n, const Real *b, const Real *p, Real *s) {
   return largest_of(most);
 }
 
-static Real follow(uint32_t n, const Real *law, const Real *weight, const Real *x, const Real *b,
-                   const Real *p, Real *f, Real *s) {
+static Real newton_finish(uint32_t n, const Real *law, const Real *weight, const Real *x,
+                          const Real *b, const Real *p, Real *f, Real *s) {
   Lanes most = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes change = subtract(load(b + i), load(p + i));
@@ -108,8 +108,8 @@ static INLINE Lanes firmness(Lanes slope, Lanes yield) {
 }
 
 #ifdef TB_FLOAT
-static float aim(uint32_t n, const float *law, const float *slope, const float *yield, float *f,
-                 float *weight, float *x) {
+static float newton_diagonal(uint32_t n, const float *law, const float *slope, const float *yield,
+                             float *f, float *weight, float *x) {
   Lanes most = zero();
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes steep = load(slope + i), soft = load(yield + i), w = root(steep);
@@ -123,8 +123,9 @@ static float aim(uint32_t n, const float *law, const float *slope, const float *
   return largest_of(most);
 }
 
-static Residual left_over(uint32_t n, const float *slope, const float *yield, const float *weight,
-                          const float *x, const float *p, const float *before, float *r, float *d) {
+static Residual newton_residual(uint32_t n, const float *slope, const float *yield,
+                                const float *weight, const float *x, const float *p,
+                                const float *before, float *r, float *d) {
   Lanes most = zero(), square = zero();
   for (uint32_t i = 0; i < n; i += 8) {
     const Lanes w = load(weight + i), firm = firmness(load(slope + i), load(yield + i));
@@ -138,8 +139,8 @@ static Residual left_over(uint32_t n, const float *slope, const float *yield, co
   return (Residual){largest_of(most), join(square)};
 }
 #else
-static Residual weigh(uint32_t n, const Real *slope, const Real *s, const Real *b, const Real *p,
-                      Real *weight, Real *d) {
+static Residual newton_rhs(uint32_t n, const Real *slope, const Real *s, const Real *b,
+                           const Real *p, Real *weight, Real *d) {
   Lanes most = zero(), square = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes w = root(load(slope + i));

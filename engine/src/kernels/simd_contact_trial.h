@@ -72,8 +72,8 @@ static INLINE void begin_wire(uint32_t power, const TbContactLaw *contact_law, u
   *beginning = whole;
 }
 
-static float begin(uint32_t wires, uint32_t lanes, const TbContactLaw *laws_of, Start *start_of,
-                   float *f) {
+static float start_newton_diagonal(uint32_t wires, uint32_t lanes, const TbContactLaw *laws_of,
+                                   Start *start_of, float *f) {
   const Start copy = *start_of;
   Beginning beginning = {{zero(), zero(), zero()}, zero()};
   for (uint64_t w = 0; w < wires; w++) {
@@ -142,13 +142,13 @@ static INLINE void try_wires(bool first, TbTrial *trial) {
   trial->touching = (uint32_t)join(sums.touching);
 }
 
-static void try_forces(TbTrial *trial) { try_wires(true, trial); }
+static void trial_at_forces(TbTrial *trial) { try_wires(true, trial); }
 
-static void try_moved(TbTrial *trial) { try_wires(false, trial); }
+static void trial_moved(TbTrial *trial) { try_wires(false, trial); }
 
 /* ---- the end ---------------------------------------------------------------------------------- */
 
-static void give(uint32_t n, const End *whole) {
+static void finish_forces(uint32_t n, const End *whole) {
   const End copy = *whole, *at = &copy; /* no store changes the copy */
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes f = load(at->f + i), p = load(at->p + i);

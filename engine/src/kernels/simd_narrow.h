@@ -49,8 +49,8 @@ static INLINE void combine_blocks(uint32_t blocks, uint32_t count, const float *
   for (uint32_t b = 0; b < blocks; b++) store(out + at + 8 * b, sum[b]);
 }
 
-static void combine(uint32_t n, uint32_t count, const float *f, const float *const *x,
-                    float *out) {
+static void sum_scaled(uint32_t n, uint32_t count, const float *f, const float *const *x,
+                       float *out) {
   uint32_t at = 0;
   for (; at + 32 <= n; at += 32) combine_blocks(4, count, f, x, at, out);
   for (; at < n; at += 8) combine_blocks(1, count, f, x, at, out);

@@ -26,7 +26,7 @@ static INLINE void ring_part(bool pushed, bool held, Ring r, uint32_t from, uint
   }
 }
 
-static TbPair ring(const Ring *r) {
+static TbPair resonate(const Ring *r) {
   Lanes sum[2] = {zero(), zero()};
   uint32_t from = 0;
   for (uint32_t i = 0; i < r->parts.count; i++) {
@@ -65,7 +65,7 @@ static INLINE Turn turned(Turn turn, Lanes angle) {
 static const Real LEAST_SINE = REAL(1e-3);
 
 /* The instants n and n - 1 are A cos p and A cos(p - turn)/r. */
-static void scatter(const TYPE_OF(TbScattering) * scattering) {
+static void turn_phases(const TYPE_OF(TbScattering) * scattering) {
   const Lanes r = root(load(scattering->b)), walk = load(scattering->walk);
   const Lanes now = load(scattering->now), last = load(scattering->last),
               turn = load(scattering->turn);

@@ -12,7 +12,7 @@ static Real dot(uint32_t n, const Real *x, const Real *y) {
   return join(sum);
 }
 
-static void add_scaled(uint32_t n, Real *out, Real f, const Real *x) {
+static void axpy(uint32_t n, Real *out, Real f, const Real *x) {
   for (uint64_t i = 0; i < n; i += 8) store(out + i, add(load(out + i), scale(load(x + i), f)));
 }
 
@@ -40,7 +40,7 @@ static void product(uint32_t n, Real *out, const Real *x, const Real *y) {
   for (uint64_t i = 0; i < n; i += 8) store(out + i, multiply_lanes(load(x + i), load(y + i)));
 }
 
-static Real turn(uint32_t n, Real *out, const Real *d, const Real *w, const Real *m) {
+static Real cg_apply(uint32_t n, Real *out, const Real *d, const Real *w, const Real *m) {
   Lanes sum = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes direction = load(d + i);
@@ -51,7 +51,7 @@ static Real turn(uint32_t n, Real *out, const Real *d, const Real *w, const Real
   return join(sum);
 }
 
-static Real advance(uint32_t n, Real t, Real *p, const Real *d, Real *r, const Real *m) {
+static Real cg_advance(uint32_t n, Real t, Real *p, const Real *d, Real *r, const Real *m) {
   Lanes sum = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     store(p + i, add(load(p + i), scale(load(d + i), t)));
@@ -62,7 +62,7 @@ static Real advance(uint32_t n, Real t, Real *p, const Real *d, Real *r, const R
   return join(sum);
 }
 
-static void redirect(uint32_t n, Real t, Real *d, const Real *r) {
+static void xpby(uint32_t n, Real t, Real *d, const Real *r) {
   for (uint64_t i = 0; i < n; i += 8) store(d + i, add(load(r + i), scale(load(d + i), t)));
 }
 

@@ -187,8 +187,8 @@ static void end_modes(const TbParts *parts, TbModesEnd *whole) {
   whole->heard = (TbPair){join(sums.ahead), join(sums.behind)};
 }
 
-static void push(const TbParts *parts, TbPair sound, const double *now, const double *before,
-                 const double *g, double *next) {
+static void push_by_sound(const TbParts *parts, TbPair sound, const double *now,
+                          const double *before, const double *g, double *next) {
   for (uint32_t part = 0; part < parts->count; part++) {
     for (uint64_t i = parts->from[part]; i < parts->end[part]; i += 8) {
       const Lanes force =
@@ -199,8 +199,8 @@ static void push(const TbParts *parts, TbPair sound, const double *now, const do
 }
 
 /* In the order of end_modes(), whose sums these are. */
-static TbPair heard(const TbParts *parts, const double *ahead, const double *behind,
-                    const double *q) {
+static TbPair two_dots_of_parts(const TbParts *parts, const double *ahead, const double *behind,
+                                const double *q) {
   Lanes first = zero(), second = zero();
   for (uint32_t part = 0; part < parts->count; part++) {
     for (uint64_t i = parts->from[part]; i < parts->end[part]; i += 8) {
@@ -212,7 +212,7 @@ static TbPair heard(const TbParts *parts, const double *ahead, const double *beh
   return (TbPair){join(first), join(second)};
 }
 
-static double reach(uint32_t n, const double *c, const double *x) {
+static double weighted_size(uint32_t n, const double *c, const double *x) {
   Lanes sum = zero();
   for (uint64_t i = 0; i < n; i += 8) {
     sum = add(sum, multiply_lanes(load(c + i), size_of(load(x + i))));
@@ -251,9 +251,9 @@ static INLINE Lanes second_difference(const double *v) {
   return add(subtract(load_unaligned(v - 1), middle), subtract(load_unaligned(v + 1), middle));
 }
 
-static double radiate(uint32_t count, const uint32_t *mode, const double *ahead,
-                      const double *behind, const double *next, const double *now,
-                      const double *last) {
+static double radiated_power(uint32_t count, const uint32_t *mode, const double *ahead,
+                             const double *behind, const double *next, const double *now,
+                             const double *last) {
   Lanes sum = zero();
   for (uint64_t j = 0; j < count; j++) {
     const double at = now[mode[j]];
@@ -342,8 +342,9 @@ static void penetrate(uint32_t wires, uint32_t lanes, double side, const double 
   }
 }
 
-static void move(uint32_t n, const double *contact_compliance, const double *f, const double *rest,
-                 const double *last, const double *s, double *v, double *eta) {
+static void move_wires(uint32_t n, const double *contact_compliance, const double *f,
+                       const double *rest, const double *last, const double *s, double *v,
+                       double *eta) {
   for (uint64_t i = 0; i < n; i += 8) {
     const Lanes change = subtract(load(f + i), load(rest + i));
     store(v + i, add(load(v + i), multiply_lanes(load(contact_compliance + i), change)));

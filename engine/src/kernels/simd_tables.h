@@ -63,7 +63,7 @@ static INLINE void multiply_all(bool rounded, uint32_t from, uint32_t blocks, ui
   }
 }
 
-static void multiply(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, const Real *x) {
+static void gemv(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, const Real *x) {
   multiply_all(false, 0, blocks, n, n, out, matrix, x);
 }
 
@@ -155,7 +155,7 @@ static Real rest_of(const Gather *g, uint32_t row, const Real *x) {
   return join(sum);
 }
 
-static void gather(const Gather *g) {
+static void gemm(const Gather *g) {
   if (g->vectors == 2) {
     gather_all(false, 2, g);
   } else {
@@ -207,12 +207,12 @@ static void mix(const TbMixing *mixing, const TbParts *moving, const double *q,
 }
 
 #ifndef TB_FLOAT
-static void multiply_rounded(uint32_t blocks, uint32_t n, double *out, const float *matrix,
-                             const double *x) {
+static void gemv_rounded(uint32_t blocks, uint32_t n, double *out, const float *matrix,
+                         const double *x) {
   multiply_all(true, 0, blocks, n, n, out, matrix, x);
 }
 
-static void gather_rounded(const TbGather *g) {
+static void gemm_rounded(const TbGather *g) {
   if (g->vectors == 2) {
     gather_all(true, 2, g);
   } else {

@@ -369,7 +369,7 @@ static void expand_thinned(const Bed *wire_grid, const Real *grid, const Room *r
   if (wire_grid->halves == 2) unfold_lines(wire_grid, wire_grid->half, room);
 }
 
-static void contract(const Bed *wire_grid, const Real *x, Real *scratch, Real *grid) {
+static void rows_to_grid(const Bed *wire_grid, const Real *x, Real *scratch, Real *grid) {
   const Room room = room_in(wire_grid, scratch);
   rows_to_lines(wire_grid, x, room.lines);
   if (wire_grid->thinned) {
@@ -379,7 +379,7 @@ static void contract(const Bed *wire_grid, const Real *x, Real *scratch, Real *g
   }
 }
 
-static void expand(const Bed *wire_grid, const Real *grid, Real *scratch, Real *x) {
+static void grid_to_rows(const Bed *wire_grid, const Real *grid, Real *scratch, Real *x) {
   const Room room = room_in(wire_grid, scratch);
   if (wire_grid->thinned) {
     expand_thinned(wire_grid, grid, &room);
@@ -389,10 +389,11 @@ static void expand(const Bed *wire_grid, const Real *grid, Real *scratch, Real *
   lines_to_rows(wire_grid, room.lines, x);
 }
 
-static void comply(const TYPE_OF(TbCompliance) * compliance, const Real *grid, Real *out) {
+static void apply_compliance(const TYPE_OF(TbCompliance) * compliance, const Real *grid,
+                             Real *out) {
   for (uint32_t c = 0; c < compliance->classes; c++) {
     const uint32_t first = compliance->first[c], points = compliance->first[c + 1] - first;
-    multiply(points / 8u, points, out + first, compliance->matrix[c], grid + first);
+    gemv(points / 8u, points, out + first, compliance->matrix[c], grid + first);
   }
 }
 

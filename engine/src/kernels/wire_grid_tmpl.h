@@ -15,17 +15,17 @@ typedef struct TB_TYPE(TbWireGrid) {
   uint32_t lines;            /* shapes across */
   uint32_t first_line[3];    /* lines of each class across */
   TB_REAL *across;           /* [wires][lines] */
-  bool thinned;              /* `contract` and `expand` are used; otherwise each lane is a column */
-  uint32_t columns[2];       /* points per line of each class along */
-  uint32_t padded[2];        /* the same, padded to a multiple of 8 */
-  TB_REAL *contract[2];      /* [half][padded]: `along` of each class */
-  TB_REAL *expand[2];        /* [columns][half]: its transpose */
-  uint32_t *place[2];        /* [lines][columns]: index in a grid vector */
-  uint32_t size;             /* of a grid vector */
-  uint32_t first[5];         /* start of each class in a grid vector */
+  bool thinned; /* `rows_to_grid` and `grid_to_rows` are used; otherwise each lane is a column */
+  uint32_t columns[2];  /* points per line of each class along */
+  uint32_t padded[2];   /* the same, padded to a multiple of 8 */
+  TB_REAL *contract[2]; /* [half][padded]: `along` of each class */
+  TB_REAL *expand[2];   /* [columns][half]: its transpose */
+  uint32_t *place[2];   /* [lines][columns]: index in a grid vector */
+  uint32_t size;        /* of a grid vector */
+  uint32_t first[5];    /* start of each class in a grid vector */
 } TB_TYPE(TbWireGrid);
 
-/* Length of the scratch array of `contract` and `expand`. */
+/* Length of the scratch array of `rows_to_grid` and `grid_to_rows`. */
 static inline uint32_t TB_NAME(tb_wire_grid_scratch)(const TB_TYPE(TbWireGrid) * wire_grid) {
   const uint32_t padded =
     wire_grid->padded[0] > wire_grid->padded[1] ? wire_grid->padded[0] : wire_grid->padded[1];

@@ -93,7 +93,7 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
     sag[i] = gain[i] * s->weight[i];
   }
   tb_project(&model->projection, model->kernels, sag, s->grid);
-  model->kernels->expand(wire_grid, s->grid, s->fold, s->eta0);
+  model->kernels->grid_to_rows(wire_grid, s->grid, s->fold, s->eta0);
   for (uint32_t a = 0; a < s->n; a++) s->eta0[a] *= model->wires.real[a] * model->wires.side;
   return tb_compliance_prepare(&s->head, scratch, &model->projection, gain);
 }
@@ -101,9 +101,9 @@ static TaborStatus head_statics(const TaborModel *model, TbArena *scratch, Stati
 /* out = C y */
 static void yield(const TaborModel *model, const Statics *s, const double *y, double *out) {
   const TbWireGrid *wire_grid = &model->projection.wire_grid;
-  model->kernels->contract(wire_grid, y, s->fold, s->grid);
-  model->kernels->comply(&s->head, s->grid, s->answer);
-  model->kernels->expand(wire_grid, s->answer, s->fold, out);
+  model->kernels->rows_to_grid(wire_grid, y, s->fold, s->grid);
+  model->kernels->apply_compliance(&s->head, s->grid, s->answer);
+  model->kernels->grid_to_rows(wire_grid, s->answer, s->fold, out);
   for (uint32_t a = 0; a < s->n; a++) out[a] *= model->wires.real[a];
   for (uint32_t w = 0; w < model->wires.count; w++) {
     const TbWire *wire = &model->wires.wires[w];
@@ -324,7 +324,7 @@ static bool settle_in_double(TaborModel *model, TbArena *scratch) {
   if (scratch->failed) return false;
   kernels->laws(wires->count, wires->lanes, wires->laws, rest->eta, NULL, zero, rest->force,
                 ignored, ignored);
-  kernels->contract(&model->projection.wire_grid, rest->force, fold, rest->grid);
+  kernels->rows_to_grid(&model->projection.wire_grid, rest->force, fold, rest->grid);
   return true;
 }
 
@@ -340,7 +340,7 @@ static bool settle_in_float(TaborModel *model, TbArena *scratch) {
   kernels->laws(model->wires.count, model->wires.lanes, model->wires.laws, row[0], row[5], row[1],
                 row[2], row[3], row[4]);
   kernels->widen(n, row[2], model->rest.force);
-  kernels->contract(&model->wire_gridf, row[2], fold, grid);
+  kernels->rows_to_grid(&model->wire_gridf, row[2], fold, grid);
   kernels->widen(model->wire_gridf.size, grid, model->rest.grid);
   return true;
 }

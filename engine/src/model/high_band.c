@@ -297,8 +297,8 @@ TbWireContacts tb_high_band_push(const TaborModel *model, const double *force, c
   fold_groups(band, band->apart ? sums : groups, pushers);
   for (uint32_t p = 0; p < 2; p++) {
     const TbHighPush *part = &band->push[p];
-    model->kernelsf->combine(part->size, pushers[p].count, pushers[p].values, pushers[p].rows,
-                             out + part->from);
+    model->kernelsf->sum_scaled(part->size, pushers[p].count, pushers[p].values, pushers[p].rows,
+                                out + part->from);
   }
   const uint32_t from = band->push[0].from;
   if (!push->known) memcpy(steady + from, out + from, band->driven * sizeof *out);

@@ -113,9 +113,9 @@ typedef struct Probe {
 static double head_compliance(const TaborModel *model, const Probe *probe, uint32_t row) {
   const TbWireGrid *wire_grid = &model->projection.wire_grid;
   probe->force[row] = 1.0;
-  model->kernels->contract(wire_grid, probe->force, probe->fold, probe->grid);
+  model->kernels->rows_to_grid(wire_grid, probe->force, probe->fold, probe->grid);
   probe->force[row] = 0.0;
-  model->kernels->comply(&model->compliance, probe->grid, probe->answer);
+  model->kernels->apply_compliance(&model->compliance, probe->grid, probe->answer);
   return model->kernels->dot(wire_grid->size, probe->grid, probe->answer);
 }
 

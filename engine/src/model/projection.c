@@ -41,28 +41,28 @@ typedef struct Tables {
 
 static void project(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
                     double *grid) {
-  kernels->multiply(group->points / 8, group->modes, grid, group->gather, q);
+  kernels->gemv(group->points / 8, group->modes, grid, group->gather, q);
 }
 
 static void project_forces(const TbProjectionGroup *group, const TbKernels *kernels,
                            const double *grid, double *modal) {
-  kernels->multiply(group->modes / 8, group->points, modal, group->scatter, grid);
+  kernels->gemv(group->modes / 8, group->points, modal, group->scatter, grid);
 }
 
-static void gather(const TbKernels *kernels, const TbGather *gather) { kernels->gather(gather); }
+static void gather(const TbKernels *kernels, const TbGather *gather) { kernels->gemm(gather); }
 
 static void project_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
                             const double *q, double *grid) {
-  kernels->multiply_rounded(group->points / 8, group->modes, grid, group->gather_rounded, q);
+  kernels->gemv_rounded(group->points / 8, group->modes, grid, group->gather_rounded, q);
 }
 
 static void project_forces_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
                                    const double *grid, double *modal) {
-  kernels->multiply_rounded(group->modes / 8, group->points, modal, group->scatter_rounded, grid);
+  kernels->gemv_rounded(group->modes / 8, group->points, modal, group->scatter_rounded, grid);
 }
 
 static void gather_rounded(const TbKernels *kernels, const TbGather *gather) {
-  kernels->gather_rounded(gather);
+  kernels->gemm_rounded(gather);
 }
 
 static const Tables TABLES[] = {

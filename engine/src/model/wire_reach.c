@@ -11,7 +11,7 @@ static void largest_shapes(TaborModel *model, const TbProjectionGroup *group, do
     for (uint32_t p = 0; p < group->points; p++) {
       grid[group->first_point + p] = group->gather[((p / 8) * group->modes + i) * 8 + p % 8];
     }
-    model->kernels->expand(wire_grid, grid, fold, rows);
+    model->kernels->grid_to_rows(wire_grid, grid, fold, rows);
     for (uint32_t row = 0; row < model->wires.stride; row++) {
       reach[group->first + i] = fmax(reach[group->first + i], fabs(rows[row]));
     }

@@ -130,7 +130,7 @@ static void add_mode(const Builder *b, uint32_t m, bool sine, double omega, doub
   const uint32_t g = class_of(grid, m, sine), first = grid->first[g];
   const uint32_t n = b->projection->group[g].used;
   fill_shape(b, m, sine, scale);
-  b->kernels->contract(grid, b->shape, b->fold, b->grid);
+  b->kernels->rows_to_grid(grid, b->shape, b->fold, b->grid);
   double *c = b->grid + first;
   for (uint32_t i = 0; i < n; i++) {
     c[i] = b->norm[first + i] > 0.0 ? c[i] / b->norm[first + i] : 0.0;
@@ -179,8 +179,8 @@ static bool find_norms(Builder *b, TbArena *watched) {
       if (!tb_arena_go_on(watched)) return false;
       memset(b->grid, 0, grid->size * sizeof *b->grid);
       b->grid[grid->first[g] + i] = 1.0;
-      b->kernels->expand(grid, b->grid, b->fold, b->shape);
-      b->kernels->contract(grid, b->shape, b->fold, b->grid);
+      b->kernels->grid_to_rows(grid, b->grid, b->fold, b->shape);
+      b->kernels->rows_to_grid(grid, b->shape, b->fold, b->grid);
       b->norm[grid->first[g] + i] = b->grid[grid->first[g] + i];
     }
   }

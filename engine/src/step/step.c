@@ -35,7 +35,7 @@ static void pull_rest(TbView *view, uint32_t w) {
   const uint32_t at = w * model->wires.lanes + TB_WIRE_FRONT;
   if (c->tension == wire->tension) return;
   const double pull = c->compliance * (c->tension - wire->tension) / wire->spacing;
-  model->kernels->add_scaled(model->wires.lanes, view->next.v + at, pull, model->rest.bend + at);
+  model->kernels->axpy(model->wires.lanes, view->next.v + at, pull, model->rest.bend + at);
 }
 
 static void free_wires(TbView *view) {
@@ -118,8 +118,8 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   const uint32_t stride = model->wires.stride;
   const double *force = view->solve.warm.force;
   TB_STAGE(WIRES);
-  kernels->move(stride, view->contact_compliance, force, model->rest.force, view->last.eta, view->s,
-                view->next.v + TB_WIRE_FRONT, view->next.eta);
+  kernels->move_wires(stride, view->contact_compliance, force, model->rest.force, view->last.eta,
+                      view->s, view->next.v + TB_WIRE_FRONT, view->next.eta);
   TB_STAGE(PROJECTION);
   if (!unchanged) force_modes(view);
   TB_STAGE(MODES);

@@ -24,8 +24,8 @@ static double least_gap(const TbView *view) {
 
 static bool out_of_reach(const TbView *view) {
   const TbModes *modes = &view->model->modes;
-  const double most =
-    view->model->kernels->reach(modes->group[modes->groups], view->model->reach, view->now.q);
+  const double most = view->model->kernels->weighted_size(modes->group[modes->groups],
+                                                          view->model->reach, view->now.q);
   return most < 0.5 * view->state->wires.gap;
 }
 

@@ -135,7 +135,7 @@ void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
   for (uint32_t part = 0; part < view->moving.count; part++) {
     const uint32_t from = view->moving.from[part], count = view->moving.end[part] - from;
     if (!tb_modes_have(modes, from)) continue;
-    view->model->kernels->add_scaled(count, q + from, force, drive + from);
+    view->model->kernels->axpy(count, q + from, force, drive + from);
   }
 }
 

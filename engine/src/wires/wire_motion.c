@@ -17,8 +17,8 @@ static void stretch(TbView *view) {
 static void penetrate(TbView *view) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
-  model->kernels->expand(&model->projection.wire_grid, view->change, view->solve.work.scratch,
-                         view->head);
+  model->kernels->grid_to_rows(&model->projection.wire_grid, view->change, view->solve.work.scratch,
+                               view->head);
   TB_STAGE(WIRES);
   model->kernels->penetrate(wires->count, wires->lanes, wires->side, view->state->wires.shift,
                             view->head, view->next.v + TB_WIRE_FRONT, model->rest.eta,
@@ -28,8 +28,8 @@ static void penetrate(TbView *view) {
 static void renew(TbView *view, const double *motion) {
   const TbKernels *kernels = view->model->kernels;
   const TbSolve *solve = &view->solve;
-  kernels->expand(solve->in.wire_grid, motion, solve->work.scratch, solve->work.turned);
-  kernels->add_scaled(solve->in.stride, solve->warm.product, 1.0, solve->work.turned);
+  kernels->grid_to_rows(solve->in.wire_grid, motion, solve->work.scratch, solve->work.turned);
+  kernels->axpy(solve->in.stride, solve->warm.product, 1.0, solve->work.turned);
 }
 
 static void project_forces(TbView *view) {
@@ -44,8 +44,8 @@ void tb_penetrations_from_displacements(TbView *view, TbPhase *phase) {
   const TaborModel *model = view->model;
   const TbWires *wires = &model->wires;
   tb_project(&model->projection, model->kernels, phase->q, view->change);
-  model->kernels->expand(&model->projection.wire_grid, view->change, view->solve.work.scratch,
-                         phase->eta);
+  model->kernels->grid_to_rows(&model->projection.wire_grid, view->change, view->solve.work.scratch,
+                               phase->eta);
   for (uint32_t row = 0; row < wires->stride; row++) {
     const double deviation = wires->side * phase->eta[row] - phase->v[row + TB_WIRE_FRONT];
     phase->eta[row] =

@@ -28,7 +28,7 @@ static void project(TbView *view) {
     gather.out[0] = view->change + group->first_point;
     view->model->kernelsf->narrow_change(group->modes, view->next.q + group->first,
                                          view->last.q + group->first, view->modalf[0]);
-    view->model->kernelsf->gather(&gather);
+    view->model->kernelsf->gemm(&gather);
   }
 }
 
@@ -44,7 +44,7 @@ static void stretch(TbView *view) {
       gather.x[h] = view->modalf[h];
       gather.out[h] = view->solve.in.stretch_grid[h] + group->first_point;
     }
-    view->model->kernelsf->gather(&gather);
+    view->model->kernelsf->gemm(&gather);
   }
 }
 
@@ -61,7 +61,7 @@ static void project_forces(TbView *view) {
                                .matrix = group->scatter_rounded,
                                .x = {work->answer + group->first_point},
                                .out = {view->modal + group->first}};
-    view->model->kernelsf->gather(&scatter);
+    view->model->kernelsf->gemm(&scatter);
   }
 }
 
@@ -69,7 +69,8 @@ static void penetrate(TbView *view) {
   const TbWires *wires = &view->model->wires;
   const TbSolveWorkF *work = &view->solve.workf;
   view->model->kernelsf->narrow(view->model->wire_gridf.size, view->change, work->answer);
-  view->model->kernelsf->expand(&view->model->wire_gridf, work->answer, work->scratch, work->moved);
+  view->model->kernelsf->grid_to_rows(&view->model->wire_gridf, work->answer, work->scratch,
+                                      work->moved);
   view->solve.in.near = view->model->kernelsf->penetrate(
     wires->stride, (float)wires->side, work->moved, view->next.v + TB_WIRE_FRONT,
     view->last.v + TB_WIRE_FRONT, view->rest_load, view->last.eta, view->b);
@@ -78,7 +79,8 @@ static void penetrate(TbView *view) {
 static void renew(TbView *view, const double *motion) {
   const TbSolveWorkF *work = &view->solve.workf;
   view->model->kernelsf->narrow(view->model->wire_gridf.size, motion, work->answer);
-  view->model->kernelsf->expand(&view->model->wire_gridf, work->answer, work->scratch, work->moved);
+  view->model->kernelsf->grid_to_rows(&view->model->wire_gridf, work->answer, work->scratch,
+                                      work->moved);
   view->model->kernelsf->add_widened(view->solve.in.stride, work->moved, view->solve.warm.product);
 }
 

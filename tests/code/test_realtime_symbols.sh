@@ -99,7 +99,7 @@ plant() { awk -v member="$1" -v line="RELOCATION RECORDS FOR [.text.$2]:" '
   / file format / && $1 == member ":" { print line; print "0000000000000000 R_X86_64_PLT32 malloc-0x4"; found = 1 }
   END { exit !found }' <<< "$symbols"; }
 
-for place in kernels.c.o:turn kernelsf.c.o:turn kernelsf.c.o:aim contact_solve.c.o:solve_contacts \
+for place in kernels.c.o:cg_apply kernelsf.c.o:cg_apply kernelsf.c.o:newton_diagonal contact_solve.c.o:solve_contacts \
   contact_solvef.c.o:solve_contacts wire_motion.c.o:penetrate wire_motionf.c.o:penetrate high_band_step.c.o:strike \
   high_band_stepf.c.o:strike projection.c.o:project_rounded; do
   planted=$(plant "${place%:*}" "${place#*:}") || { echo "$place: not in the library" >&2; exit 1; }

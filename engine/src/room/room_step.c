@@ -4,14 +4,19 @@
 #include <math.h>
 #include <string.h>
 
+#include "kernels/flush_denormals.h"
 #include "room/room.h"
 
 /* Values below -180 dBFS are written to rings as zeros. After the longest ring everything is zero. */
 static const float INAUDIBLE = 1e-9f;
+/* Less is zero in a filter's memory: products with it stay above 1e-38, where denormals begin, which not all machines flush. */
+static const float NOTHING = 1e-34f;
 static const float MIX = 0.17677669f; /* 1/sqrt(TB_ROOM_LINES): the mixing matrix is orthogonal */
 static const float LARGEST = 1e6f;    /* of a feed; what is larger or not a number counts as 0 */
 
 typedef float Piece[TB_ROOM_PIECE];
+
+static float cleared(float x) { return fabsf(x) < NOTHING ? 0.0f : x; }
 
 /* ---- rings ----------------------------------------------------------------------------------- */
 
@@ -42,7 +47,7 @@ static void respond(const TbMicResponse *response, TbResponseMemory memory, uint
                     float *values) {
   if (response->count == 0) return;
   for (uint32_t i = 0; i < frames; i++) {
-    values[i] = (float)tb_mic_respond(response, memory, (double)values[i]);
+    values[i] = tb_single(tb_mic_respond(response, memory, (double)values[i]));
   }
 }
 
@@ -82,7 +87,7 @@ static void filter_lines(const TaborRoom *room, uint32_t frames, Piece *lines) {
     memcpy(s, room->state->filter + line, sizeof s);
     for (uint32_t i = 0; i < frames; i++) {
       for (uint32_t k = 0; k < 4; k++) {
-        s[k] = pole[k] * s[k] + gain[k] * lines[line + k][i];
+        s[k] = cleared(pole[k] * s[k] + gain[k] * lines[line + k][i]);
         lines[line + k][i] = s[k];
       }
     }
@@ -133,7 +138,7 @@ static void reflect(const TaborRoom *room, uint32_t frames, Piece *feeds, float 
   for (uint32_t feed = 0; feed < TB_ROOM_FEEDS; feed++) {
     float s = room->state->reflected[feed];
     for (uint32_t i = 0; i < frames; i++) {
-      s = room->wall_pole * s + room->wall_gain * feeds[feed][i];
+      s = cleared(room->wall_pole * s + room->wall_gain * feeds[feed][i]);
       feeds[feed][i] = s;
       power[i] += s * s;
     }

@@ -134,7 +134,7 @@ typedef struct TB_TYPE(TbKernels) {
   TB_REAL (*change)(uint32_t n, const TB_REAL *b, const TB_REAL *p, TB_REAL *s);
   /* Conjugate gradients: out = d + w m, returns Sum d out; p += t d and r -= t m, returns Sum r r;
    * d = r + t d. */
-  TB_REAL (*cg_apply)
+  TB_REAL(*cg_apply)
   (uint32_t n, TB_REAL *out, const TB_REAL *d, const TB_REAL *w, const TB_REAL *m);
   TB_REAL(*cg_advance)
   (uint32_t n, TB_REAL t, TB_REAL *p, const TB_REAL *d, TB_REAL *r, const TB_REAL *m);

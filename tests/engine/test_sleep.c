@@ -4,7 +4,6 @@
 #include "physics.h"
 
 #include "drum/drum.h"
-#include "step/energy.h"
 
 enum { LENGTH = 192000, BLOCK = 96, WINDOW = 960 };
 
@@ -12,20 +11,9 @@ static const double UNHEARD = 3.1623e-6; /* -110 dBFS */
 
 typedef struct Take {
   float sound[TABOR_MAX_MICS][LENGTH];
-  bool rattles[LENGTH / BLOCK]; /* wires touch otherwise than at rest after this block */
-  uint32_t asleep;              /* the first frame of the block in which the drum falls asleep */
+  uint32_t asleep; /* the first frame of the block in which the drum falls asleep */
   TaborLedger ledger;
 } Take;
-
-static bool rattles(const TaborModel *model, TaborDrum *drum) {
-  const TbView view = tb_view(drum->state, model);
-  for (uint32_t row = 0; row < model->wires.stride; row++) {
-    const bool on = drum->state->wires.shift[model->wires.row_wire[row]] == 0.0;
-    const bool rests = on && model->rest.force[row] > 0.0;
-    if ((view.solve.warm.force[row] > 0.0) != rests) return true;
-  }
-  return false;
-}
 
 /* Events of a drum that sleeps as soon as nobody hears it, or not until it is still. */
 static void play(TaborModel *model, const TaborEvent *events, uint32_t count, bool sleeps,
@@ -43,7 +31,6 @@ static void play(TaborModel *model, const TaborEvent *events, uint32_t count, bo
     }
     for (uint32_t mic = 0; mic < TABOR_MAX_MICS; mic++) outputs[mic] = take->sound[mic] + frame;
     tabor_drum_process(drum, now, due, outputs, BLOCK);
-    take->rattles[frame / BLOCK] = rattles(model, drum);
     if (next == count && take->asleep == LENGTH && tabor_drum_is_silent(drum)) take->asleep = frame;
   }
   tabor_drum_ledger(drum, &take->ledger);
@@ -78,14 +65,9 @@ static double check_sleep(const TaborDrumDef *def, const TaborEvent *events, uin
   TaborModel *model = physics_model(def, 48000.0, TABOR_QUALITY_LIVE);
   play(model, events, count, true, &cut);
   play(model, events, count, false, &whole);
-  uint32_t later = 0;
-  for (uint32_t block = cut.asleep / BLOCK; block < LENGTH / BLOCK; block++)
-    later += whole.rattles[block];
   const double away = most_away(model, &cut, &whole);
-  print_message("%s: asleep after %.2f s, otherwise after %.2f s; %.1f dBFS cut, %u blocks would "
-                "rattle; residual "
-                "%.2g J\n",
-                def->name, cut.asleep / 48000.0, whole.asleep / 48000.0, 20.0 * log10(away), later,
+  print_message("%s: asleep after %.2f s, otherwise after %.2f s; %.1f dBFS cut; residual %.2g J\n",
+                def->name, cut.asleep / 48000.0, whole.asleep / 48000.0, 20.0 * log10(away),
                 cut.ledger.residual);
   assert_true(cut.asleep < LENGTH && cut.asleep < whole.asleep);
   assert_true(away < UNHEARD);

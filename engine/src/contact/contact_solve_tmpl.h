@@ -112,8 +112,8 @@ static void apply_laws(TbSolve *solve, const Real *s) {
 
 /* ---- one Newton step ------------------------------------------------------------------------ */
 
-/* Conjugate gradients [HestenesStiefel1952] on A x = d, A = I + W M W, W = diag(weight), from x, r = `residual` and p = `direction` on, rho = r.r
- * given, until rho is `enough`:
+/* Conjugate gradients [HestenesStiefel1952] on A x = d, A = I + W M W, W = diag(weight), from x,
+ * r = `residual` and p = `direction` on, rho = r.r given, until rho is `enough`:
  *   q = A p,  alpha = rho/p.q,  x += alpha p,  r -= alpha q,  beta = r.r/rho,  p = r + beta p.
  * Adds M W dx to `product`, and W dx on the grid to `grid`. */
 static void solve_inner(TbSolve *solve, Real rho, uint32_t cap, Real enough) {

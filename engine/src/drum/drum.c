@@ -203,7 +203,7 @@ static void store(const TaborDrum *drum, float *const *outputs, uint32_t frame,
                   const double *sound) {
   if (!outputs) return;
   for (uint32_t i = 0; i < drum->route.count; i++) {
-    if (outputs[i]) outputs[i][frame] = tb_single(sound[i]);
+    if (outputs[i]) outputs[i][frame] = (float)sound[i];
   }
 }
 

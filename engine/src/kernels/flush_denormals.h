@@ -5,8 +5,6 @@
 #ifndef TB_FLUSH_DENORMALS_H
 #define TB_FLUSH_DENORMALS_H
 
-#include <float.h>
-#include <math.h>
 #include <stdint.h>
 
 #if defined(__SSE2__)
@@ -32,11 +30,5 @@ typedef int TbFpMode;
 static inline TbFpMode tb_fp_enter(void) { return 0; }
 static inline void tb_fp_leave(TbFpMode mode) { (void)mode; }
 #endif
-
-/* In single precision, with zero for what is denormal there: also where the mode above cannot be had, as in WebAssembly, whose
- * sound has the same bits. */
-static inline float tb_single(double x) {
-  return (float)(fabs(x) < (double)FLT_MIN ? 0.0 * x : x); /* with its sign */
-}
 
 #endif

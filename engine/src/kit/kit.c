@@ -182,7 +182,7 @@ static double low_pass(const double low[3], double memory[2], double in) {
 /* Keeps what a drum says for the others. */
 static void say(TaborKit *kit, TbKitVoice *voice, const float *said, uint32_t frames) {
   for (uint32_t i = 0; i < frames; i++) {
-    const float passed = tb_single(low_pass(kit->low, voice->passed, (double)said[i]));
+    const float passed = (float)low_pass(kit->low, voice->passed, (double)said[i]);
     voice->quiet = passed != 0.0f ? 0 : voice->quiet + (voice->quiet < kit->ring);
     voice->said[(uint32_t)(kit->frame + i) & (kit->ring - 1)] = passed;
   }

@@ -276,6 +276,7 @@ static void fold_groups(const TbHighBand *band, const double *groups, Pushers to
 
 static const double STEADY = 200.0;  /* [Hz] */
 static const double VANISHED = 16.0; /* 140 dB, as a logarithm */
+
 /* What does not stay of force[n], in its place, if `share` of steady[n] is left. */
 static void leave_steady(uint32_t n, float follow, float share, float *force, float *steady) {
   for (uint32_t i = 0; i < n; i++) {

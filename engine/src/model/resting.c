@@ -16,31 +16,35 @@ static double heard_at(const TaborDrumDef *def, uint32_t mic, double ahead, doub
 
 static double square(double x) { return x * x; }
 
-static double *list_heard(TaborModel *model) {
-  const TbModes *modes = &model->modes;
-  double *heard = tb_arena_doubles(&model->arena, modes->padded);
-  for (uint32_t i = 0; heard && i < modes->padded; i++) {
-    const double turn = modes->stiffness[i] * square(model->time_step);
+/* h of `n` modes, by the weights ahead[mic][n] and behind[mic][n]. */
+static double *list_heard(TaborModel *model, uint32_t n, const double *stiffness,
+                          double *const *ahead, double *const *behind) {
+  double *heard = tb_arena_doubles(&model->arena, n);
+  for (uint32_t i = 0; heard && i < n; i++) {
+    const double turn = stiffness[i] * square(model->time_step);
     for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-      const double ahead = model->mics[mic].ahead[i], behind = model->mics[mic].behind[i];
-      heard[i] = fmax(heard[i], heard_at(&model->def, mic, ahead, behind, turn));
+      const double here = heard_at(&model->def, mic, ahead[mic][i], behind[mic][i], turn);
+      heard[i] = fmax(heard[i], here);
     }
-    model->resting.sounds = model->resting.sounds || heard[i] > 0.0;
   }
   return heard;
 }
 
-static double *list_heard_high(TaborModel *model) {
+static bool prepare_heard(TaborModel *model) {
+  const TbModes *modes = &model->modes;
   const TbHighBand *high = &model->high;
-  double *heard = tb_arena_doubles(&model->arena, high->padded);
-  for (uint32_t i = 0; heard && i < high->padded; i++) {
-    const double turn = high->stiffness[i] * square(model->time_step);
-    for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
-      const double ahead = high->ringing.ahead[mic][i], behind = high->ringing.behind[mic][i];
-      heard[i] = fmax(heard[i], heard_at(&model->def, mic, ahead, behind, turn));
-    }
+  TbResting *resting = &model->resting;
+  double *ahead[TABOR_MAX_MICS], *behind[TABOR_MAX_MICS];
+  for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
+    ahead[mic] = model->mics[mic].ahead;
+    behind[mic] = model->mics[mic].behind;
   }
-  return heard;
+  resting->heard = list_heard(model, modes->padded, modes->stiffness, ahead, behind);
+  resting->heard_high =
+    list_heard(model, high->padded, high->stiffness, high->ringing.ahead, high->ringing.behind);
+  if (!resting->heard || !resting->heard_high) return false;
+  for (uint32_t i = 0; i < modes->padded; i++) resting->sounds |= resting->heard[i] > 0.0;
+  return true;
 }
 
 /* ---- modes at rest ---------------------------------------------------------------------------- */
@@ -83,9 +87,7 @@ static void find_floor(TaborModel *model) {
 TaborStatus tb_resting_prepare(TaborModel *model) {
   const uint32_t blocks = model->modes.padded / 8u;
   double *most = tb_arena_doubles(&model->arena, blocks);
-  model->resting.heard = list_heard(model);
-  model->resting.heard_high = list_heard_high(model);
-  if (!most || !model->resting.heard || !model->resting.heard_high) return TABOR_ERROR_MEMORY;
+  if (!most || !prepare_heard(model)) return TABOR_ERROR_MEMORY;
   for (uint32_t block = 0; block < blocks; block++) {
     most[block] = INFINITY;
     for (uint32_t i = 8u * block; i < 8u * block + 8u; i++) {

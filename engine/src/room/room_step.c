@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "kernels/flush_denormals.h"
 #include "room/room.h"
 
 /* Values below -180 dBFS are written to rings as zeros. After the longest ring everything is zero. */
@@ -47,7 +46,7 @@ static void respond(const TbMicResponse *response, TbResponseMemory memory, uint
                     float *values) {
   if (response->count == 0) return;
   for (uint32_t i = 0; i < frames; i++) {
-    values[i] = tb_single(tb_mic_respond(response, memory, (double)values[i]));
+    values[i] = cleared((float)tb_mic_respond(response, memory, (double)values[i]));
   }
 }
 

@@ -20,8 +20,8 @@ typedef struct TbHighBandView {
   void *turn;      /* [padded], likewise: a of TbRinging at the frequency that scattering gave */
   double *scratch; /* [padded] */
   void *taken;     /* [padded], in its precision: see high_band_step.h */
-  float *force,
-    *steady; /* [padded] push of the wires, and what stays of it: see model/high_band.h */
+  float *force;    /* [padded] push of the wires */
+  float *steady;   /* [padded] what stays of it: see model/high_band.h */
 } TbHighBandView;
 
 #endif

@@ -53,7 +53,6 @@ static void clear_high(TbView *view) {
   view->state->high.wires_hold = view->state->high.hold_steps = view->state->high.struck = 0;
   view->state->high.contacts = (TbWireContacts){0.0, 0.0, 0.0};
   view->state->high.push = (TbWirePush){.known = 0};
-  memset(view->high.force, 0, view->model->high.padded * sizeof *view->high.force);
   tb_high_band_step_of(view)->begin(view); /* so that a stroke sounds alike whenever it comes */
 }
 
@@ -164,7 +163,7 @@ static bool is_unheard(const TbView *view) {
 }
 
 /* True if wires touch what they touch at rest; those that are thrown off, nothing. */
-static bool wires_lie(const TbView *view) {
+static bool wires_touch_as_at_rest(const TbView *view) {
   const TbWires *wires = &view->model->wires;
   if (view->state->wires.lifted) return true;
   for (uint32_t row = 0; row < wires->stride; row++) {
@@ -176,7 +175,7 @@ static bool wires_lie(const TbView *view) {
 }
 
 static bool dies_away_unheard(const TbView *view) {
-  return view->model->def.quality.losses && wires_lie(view) && is_unheard(view);
+  return view->model->def.quality.losses && wires_touch_as_at_rest(view) && is_unheard(view);
 }
 
 static void rest(TbView *view) {

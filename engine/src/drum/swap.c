@@ -308,6 +308,7 @@ static void carry_high(const TbView *from, TbView *to) {
   memcpy(to->last.high, from->last.high, bytes);
   memcpy(to->high.taken, from->high.taken, bytes);
   memcpy(to->high.turn, from->high.turn, bytes);
+  memcpy(to->high.force, from->high.force, bytes / 2u);
   memcpy(to->high.steady, from->high.steady, bytes / 2u);
   to->state->high.wires_hold = from->state->high.wires_hold;
   to->state->high.hold_steps = from->state->high.hold_steps;
@@ -317,9 +318,11 @@ static void carry_high(const TbView *from, TbView *to) {
   to->state->high.push = from->state->high.push;
 }
 
-/* In another model modes come to rest, and heads to be linear, anew. */
+/* In another model modes come to rest, heads to be linear, and what contacts do to modes is summed, anew. */
 static void carry_rest(const TbView *from, TbView *to) {
   if (from->model->fingerprint != to->model->fingerprint) return;
+  to->state->airborne = from->state->airborne;
+  memcpy(to->modal, from->modal, to->model->modes.padded * sizeof(double));
   to->state->unstretched = from->state->unstretched;
   memcpy(to->state->moving, from->state->moving, sizeof to->state->moving);
   tb_view_move(to);

@@ -10,7 +10,7 @@
 
 #include <cmocka.h>
 
-#include "acoustics/air.h"
+#include "air_model/air.h"
 #include "math/bessel.h"
 #include "math/quadrature.h"
 #include "reference.h"

@@ -4,7 +4,7 @@
 
 #include <jansson.h>
 
-#include "acoustics/cavity_eigen.h"
+#include "bodies/drum/cavity_eigen.h"
 #include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;

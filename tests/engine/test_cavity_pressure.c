@@ -2,7 +2,7 @@
 /* The pressure inside the shell, against closed forms and a plain sum over the cavity's modes. */
 #include "physics.h"
 
-#include "acoustics/cavity_pressure.h"
+#include "bodies/drum/cavity_pressure.h"
 #include "math/bessel.h"
 #include "model/model.h"
 
@@ -33,8 +33,8 @@ static void add_second_head(TaborDrumDef *def) {
 }
 
 /* Volume per area that head `which` displaces upward in a mode of order 0. */
-static double mean_motion(const TaborModel *model, const TbHeadMode *mode, uint32_t which) {
-  const TbHeadOrder *order = &model->head.orders[0];
+static double mean_motion(const TaborModel *model, const TbBodyMode *mode, uint32_t which) {
+  const TbBodyOrder *order = &model->body.orders[0];
   const double *v = order->vectors[which] + (size_t)mode->place * order->zero_count;
   double sum = 0.0;
   for (uint32_t i = 0; i < order->zero_count; i++) {
@@ -54,8 +54,8 @@ static void a_long_tube_has_plane_waves(void **state) {
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
   uint32_t checked = 0;
   double worst = 0.0;
-  for (uint32_t row = 0; row < model->head.row_count; row++) {
-    const TbHeadMode *mode = &model->head.modes[row];
+  for (uint32_t row = 0; row < model->body.row_count; row++) {
+    const TbBodyMode *mode = &model->body.modes[row];
     if (mode->m != 0) continue;
     const double k = mode->omega / def.air.sound_speed;
     const double scale = mean_motion(model, mode, 0) / (k * def.shell.radius);
@@ -67,7 +67,7 @@ static void a_long_tube_has_plane_waves(void **state) {
     }
     checked++;
   }
-  print_message("%u modes to %g Hz: within %.2g\n", checked, model->head.bandwidth, worst);
+  print_message("%u modes to %g Hz: within %.2g\n", checked, model->body.bandwidth, worst);
   assert_true(checked >= 10);
   /* Modes' shapes are right to first order in what their own frequencies change of the air outside. */
   assert_true(worst < 0.03);
@@ -86,8 +86,8 @@ static void slow_motion_presses_as_a_spring(void **state) {
   def.quality.two_way_bandwidth = 2500.0;
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
   uint32_t checked = 0;
-  for (uint32_t row = 0; row < model->head.row_count && checked < 2; row++) {
-    const TbHeadMode *mode = &model->head.modes[row];
+  for (uint32_t row = 0; row < model->body.row_count && checked < 2; row++) {
+    const TbBodyMode *mode = &model->body.modes[row];
     if (mode->m != 0) continue;
     const double k = mode->omega / def.air.sound_speed;
     const double swept = mean_motion(model, mode, 0) - mean_motion(model, mode, 1);
@@ -112,8 +112,8 @@ static void equal_heads_press_evenly_or_oddly(void **state) {
   def.quality.two_way_bandwidth = 3000.0;
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
   uint32_t even = 0, odd = 0;
-  for (uint32_t row = 0; row < model->head.row_count; row++) {
-    const TbHeadMode *mode = &model->head.modes[row];
+  for (uint32_t row = 0; row < model->body.row_count; row++) {
+    const TbBodyMode *mode = &model->body.modes[row];
     const double *f = mode->fields;
     const double size = fabs(f[0]) + fabs(f[2]) + fabs(f[4]), tiny = 1e-4 * size;
     if (size < 1e-9) continue; /* a high order, which does not come here */
@@ -140,8 +140,8 @@ static void the_axis_hears_round_modes_alone(void **state) {
   add_second_head(&def);
   def.resonant.tension = 2000.0;
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-  for (uint32_t row = 0; row < model->head.row_count; row++) {
-    const TbHeadMode *mode = &model->head.modes[row];
+  for (uint32_t row = 0; row < model->body.row_count; row++) {
+    const TbBodyMode *mode = &model->body.modes[row];
     assert_true((mode->fields[0] != 0.0) == (mode->m == 0));
   }
   tabor_model_release(model);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The far field of a mode: limits that one can work out. */
-#include "acoustics/far_field.h"
+#include "air_model/far_field.h"
 
 #include <math.h>
 #include <setjmp.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* A felt ring: its limits in closed form, and beside hands that damp along the same circle. */
-#include "acoustics/felt_ring.h"
-#include "acoustics/head.h"
+#include "bodies/body.h"
+#include "bodies/felt_ring.h"
 #include "math/bessel.h"
 #include "model/model.h"
 #include "physics.h"
@@ -82,8 +82,8 @@ static const double PLACE = 0.12; /* [m] */
 /* c phi^2/2 in the mean over the angle. */
 static double on_a_circle(const TaborModel *model, uint32_t row) {
   double radial[4096];
-  tb_head_radial(&model->head, 0, PLACE, NULL, radial);
-  return 0.5 * STRENGTH * radial[row] * radial[row] * (model->head.modes[row].m ? 0.5 : 1.0);
+  tb_body_radial(&model->body, 0, PLACE, NULL, radial);
+  return 0.5 * STRENGTH * radial[row] * radial[row] * (model->body.modes[row].m ? 0.5 : 1.0);
 }
 
 static void a_narrow_ring_brakes_by_the_motion_at_its_place(void **state) {

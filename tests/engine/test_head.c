@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* The head's modes: Bessel zeros in vacuo, losses, air loading against measurement and closed forms,
  * shapes and patches. */
-#include "acoustics/head.h"
+#include "bodies/drum/drum_modes.h"
 #include "math/arena.h"
 #include "math/bessel.h"
 #include "physics.h"
@@ -180,14 +180,14 @@ static void shapes_have_unit_modal_mass(void **state) {
   const TaborAllocator system = tb_allocator_resolve(NULL);
   TbArena arena;
   tb_arena_prepare(&arena, &system);
-  TbHead head;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 2000.0, (TbHeadLimits){4096, 91.0, 0.0}),
-                   TABOR_OK);
+  TbBody head;
+  assert_int_equal(
+    tb_body_drum.prepare(&head, &arena, &def, 2000.0, (TbBodyLimits){4096, 91.0, 0.0}), TABOR_OK);
   enum { STEPS = 4000, MOST = 12 };
   double mass[MOST][MOST] = {{0.0}}, *radial = tb_arena_doubles(&arena, head.row_count);
   for (int i = 0; i < STEPS; i++) {
     const double r = 0.2 * (i + 0.5) / STEPS;
-    tb_head_radial(&head, 0, r, NULL, radial);
+    tb_body_radial(&head, 0, r, NULL, radial);
     for (int a = 0; a < MOST; a++) {
       for (int b = 0; b < MOST; b++) {
         if (head.modes[a].m != head.modes[b].m) continue;
@@ -202,15 +202,15 @@ static void shapes_have_unit_modal_mass(void **state) {
   /* A patch is the mean over its disc: 2 J_1(Ka)/(Ka), 1 for a point. */
   double *patch = tb_arena_doubles(&arena, head.zero_count);
   double *patched = tb_arena_doubles(&arena, head.row_count);
-  tb_head_patch(&head, 0.0, patch);
+  tb_body_patch(&head, 0.0, patch);
   for (uint32_t i = 0; i < head.zero_count; i++) assert_true(patch[i] == 1.0);
-  tb_head_patch(&head, 0.03, patch);
-  tb_head_radial(&head, 0, 0.0, patch, patched);
+  tb_body_patch(&head, 0.03, patch);
+  tb_body_radial(&head, 0, 0.0, patch, patched);
   for (int a = 0; a < MOST; a++) {
     double mean = 0.0;
     for (int i = 0; i < STEPS && head.modes[a].m == 0; i++) {
       const double r = 0.03 * (i + 0.5) / STEPS;
-      tb_head_radial(&head, 0, r, NULL, radial);
+      tb_body_radial(&head, 0, r, NULL, radial);
       mean += radial[a] * 2.0 * r * 0.03 / STEPS / (0.03 * 0.03);
     }
     assert_true(fabs(patched[a] - mean) < 1e-6);
@@ -227,19 +227,19 @@ static void shapes_from_a_table_are_the_same(void **state) {
   TbArena arena;
   const TaborAllocator allocator = tb_allocator_resolve(NULL);
   tb_arena_prepare(&arena, &allocator);
-  TbHead head;
+  TbBody head;
   TbBesselTable table;
-  assert_int_equal(tb_head_prepare(&head, &arena, &def, 3000.0, (TbHeadLimits){4096, 91.0, 0.0}),
-                   TABOR_OK);
+  assert_int_equal(
+    tb_body_drum.prepare(&head, &arena, &def, 3000.0, (TbBodyLimits){4096, 91.0, 0.0}), TABOR_OK);
   assert_true(tb_bessel_table_prepare(&table, &arena, head.order_count, 60.0));
   double *patch = tb_arena_doubles(&arena, head.zero_count);
   double *exact = tb_arena_doubles(&arena, head.row_count);
   double *tabled = tb_arena_doubles(&arena, head.row_count);
-  tb_head_patch(&head, 0.01, patch);
+  tb_body_patch(&head, 0.01, patch);
   for (double r = 0.0; r <= head.radius; r += 0.11 * head.radius) {
     double largest = 0.0;
-    tb_head_radial(&head, 0, r, patch, exact);
-    tb_head_radial_tabled(&head, &table, 0, r, patch, tabled);
+    tb_body_radial(&head, 0, r, patch, exact);
+    tb_body_radial_tabled(&head, &table, 0, r, patch, tabled);
     for (uint32_t i = 0; i < head.row_count; i++) largest = fmax(largest, fabs(exact[i]));
     for (uint32_t i = 0; i < head.row_count; i++) {
       assert_true(fabs(tabled[i] - exact[i]) < TOLERANCE * largest);

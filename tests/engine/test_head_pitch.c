@@ -3,8 +3,8 @@
  * both as keys of a definition. */
 #include "physics.h"
 
-#include "acoustics/closed_drum_modes.h"
-#include "acoustics/head_pitch.h"
+#include "bodies/drum/closed_drum_modes.h"
+#include "bodies/drum/head_pitch.h"
 #include "definition/note.h"
 #include "math/bessel.h"
 
@@ -65,8 +65,8 @@ static double beside_heavy_head(TaborDrumDef def, TaborHead which, double densit
   const uint32_t count = tb_bessel_zeros(1, 50.0, zeros, 32);
   TbAirOrder air;
   TbShellMesh shell;
-  TbHeadOrder order = {.m = 1};
-  TbHeadMode modes[128];
+  TbBodyOrder order = {.m = 1};
+  TbBodyMode modes[128];
   const TbRim rim = {.count = 0};
   const TbModeLimits limit = {2.0 * PI * 5000.0, 2.0 * PI * 5000.0};
   assert_true(tb_air_order_prepare(&air, &arena, 1, zeros, count));

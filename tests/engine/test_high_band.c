@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* The one-way high band against a sum over all modes, each with its own air. */
-#include "acoustics/air.h"
+#include "air_model/air.h"
 #include "high_band/high_band_modes.h"
 #include "math/bessel.h"
 #include "model/model.h"
@@ -67,7 +67,7 @@ static void sum_all_modes(const TaborDrumDef *def, double radius, double angle, 
   const TbModes *modes = &model->modes;
   const uint32_t n = modes->padded, delay = model->mics[0].delay;
   double *q = calloc(3 * (size_t)n, sizeof *q), *shape = calloc(n, sizeof *shape);
-  double *radial = calloc(model->head.row_count, sizeof *radial);
+  double *radial = calloc(model->body.row_count, sizeof *radial);
   assert_true(q && shape && radial);
   tb_model_shape(model, 0, radius, angle, model->patches[0], radial, shape);
   memset(samples, 0, FRAMES * sizeof *samples);
@@ -265,7 +265,7 @@ typedef struct Halves {
 /* The modes above the two-way ones of a drum without wires. */
 static void choose(const TaborModel *model, TbArena *scratch, TbHighModes *chosen) {
   const TbHighDrum drum = {.def = &model->def,
-                           .head = &model->head,
+                           .body = &model->body,
                            .time_step = model->time_step,
                            .wired_head = TB_HEADS};
   assert_true(tb_high_modes_choose(chosen, scratch, &drum, 12000.0, 4096));
@@ -300,11 +300,11 @@ static void count_factor(Factors *factors, double whole, double half, double ome
 
 /* Mean of a head's two-way modes from two thirds of the bandwidth on. */
 static double two_way_factor(const Halves *halves, uint32_t h) {
-  const TbHead *head = &halves->whole->head;
+  const TbBody *body = &halves->whole->body;
   Factors factors = {0.0, 0.0};
-  for (uint32_t row = 0; row < head->row_count; row++) {
-    const TbHeadMode *mode = &head->modes[row], *half = &halves->half->head.modes[row];
-    if (mode->omega < 2.0 * PI * head->bandwidth / 1.5) continue;
+  for (uint32_t row = 0; row < body->row_count; row++) {
+    const TbBodyMode *mode = &body->modes[row], *half = &halves->half->body.modes[row];
+    if (mode->omega < 2.0 * PI * body->bandwidth / 1.5) continue;
     if (mode->part != (h ? TABOR_PART_RESONANT : TABOR_PART_BATTER)) continue;
     count_factor(&factors, mode->decay_rate, half->decay_rate, mode->omega);
   }
@@ -327,7 +327,7 @@ static double high_factor(const Halves *halves, uint32_t h, double times) {
   for (uint32_t i = 0; i < halves->high_whole.count; i++) {
     const TbHighMode *mode = &halves->high_whole.modes[i];
     const TbHighMode *half = find_high(&halves->high_half, mode);
-    if (mode->omega > times * 2.0 * PI * halves->whole->head.bandwidth) continue;
+    if (mode->omega > times * 2.0 * PI * halves->whole->body.bandwidth) continue;
     if (mode->head == h && !mode->of_air && half) {
       count_factor(&factors, mode->decay_rate, half->decay_rate, mode->omega);
     }

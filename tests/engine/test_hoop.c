@@ -3,7 +3,7 @@
  * a wall. */
 #include "physics.h"
 
-#include "acoustics/rim.h"
+#include "bodies/drum/rim.h"
 #include "model/model.h"
 #include "state/state.h"
 
@@ -24,7 +24,7 @@ static void an_impulse_finds_the_same_mass_everywhere(void **state) {
   def.hoop.tie_frequency = 50.0;
   def.quality.losses = 0;
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_STUDIO);
-  double *shape = calloc(3 * model->modes.padded + model->head.row_count, sizeof *shape);
+  double *shape = calloc(3 * model->modes.padded + model->body.row_count, sizeof *shape);
   double *here = shape, *there = here + model->modes.padded, *radial = there + model->modes.padded;
   const double k2 = model->time_step * model->time_step;
   for (double angle = 0.0; angle < 360.0; angle += 41.0) {

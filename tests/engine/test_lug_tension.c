@@ -2,7 +2,7 @@
 /* The tension of a head between uneven lugs: in equilibrium, and as the lugs pull at the rim. */
 #include "physics.h"
 
-#include "acoustics/lug_tension.h"
+#include "bodies/drum/lug_tension.h"
 
 static const double PI = 3.14159265358979323846;
 

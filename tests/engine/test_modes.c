@@ -8,10 +8,10 @@
 /* Largest displacement of the head at a mode of unit modal mass, over the radius. */
 static void largest_on(const TaborModel *model, uint32_t head, double *most) {
   enum { PLACES = 200 };
-  double *radial = calloc(model->head.row_count, sizeof *radial);
+  double *radial = calloc(model->body.row_count, sizeof *radial);
   for (uint32_t place = 0; place < PLACES; place++) {
-    tb_head_radial(&model->head, head, model->head.radius * place / PLACES, NULL, radial);
-    for (uint32_t row = 0; row < model->head.row_count; row++) {
+    tb_body_radial(&model->body, head, model->body.radius * place / PLACES, NULL, radial);
+    for (uint32_t row = 0; row < model->body.row_count; row++) {
       most[row] = fmax(most[row], fabs(radial[row]));
     }
   }
@@ -30,7 +30,7 @@ static void a_head_leaves_out_what_moves_it_by_less_than_a_fiftieth(void **state
     TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
     double *most[TB_HEADS];
     for (uint32_t h = 0; h < TB_HEADS; h++) {
-      most[h] = calloc(model->head.row_count, sizeof *most[h]);
+      most[h] = calloc(model->body.row_count, sizeof *most[h]);
       largest_on(model, h, most[h]);
     }
     uint32_t out = 0;

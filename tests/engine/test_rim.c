@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Hoop and shell that move with the heads: limits with exact solutions, positive masses, rims at rest. */
-#include "acoustics/rim.h"
+#include "bodies/drum/rim.h"
 
 #include "math/bessel.h"
 #include "model/model.h"
@@ -252,15 +252,15 @@ static void wires_ride_on_the_shell(void **state) {
   const TaborDrumDef def = physics_preset("snare-14x5.5");
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
   const uint32_t count = model->modes.padded;
-  double *radial = calloc(model->head.row_count + 3 * count, sizeof *radial);
-  double *whole = radial + model->head.row_count, *under = whole + count, *hoop = under + count;
+  double *radial = calloc(model->body.row_count + 3 * count, sizeof *radial);
+  double *whole = radial + model->body.row_count, *under = whole + count, *hoop = under + count;
   tb_model_shape(model, TABOR_HEAD_RESONANT, 0.0, 0.0, NULL, radial, whole);
-  tb_modes_shape(&model->modes, &model->head, TABOR_HEAD_RESONANT, 0.0, 0.0, 1.0, NULL, radial,
+  tb_modes_shape(&model->modes, &model->body, TABOR_HEAD_RESONANT, 0.0, 0.0, 1.0, NULL, radial,
                  under);
   tb_model_hoop_shape(model, 0.0, radial, hoop);
   uint32_t stand = 0;
   while (model->modes.row[stand] != 0) stand++;
-  assert_int_equal(model->head.modes[0].part, TABOR_PART_RIM);
+  assert_int_equal(model->body.modes[0].part, TABOR_PART_RIM);
   assert_true(fabs(hoop[stand]) > 0.1);
   assert_true(fabs(whole[stand] / hoop[stand] - 1.0) < 0.03);
   assert_true(fabs(under[stand]) < 0.03 * fabs(hoop[stand]));

@@ -2,7 +2,7 @@
 /* The sound of a shell's wall and of a hoop: against closed forms and against the power that leaves. */
 #include "physics.h"
 
-#include "acoustics/rim_radiation.h"
+#include "bodies/drum/rim_radiation.h"
 #include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;

@@ -2,7 +2,7 @@
 /* The air outside a finite rigid shell: a solution that is known everywhere, power, reciprocity, limits. */
 #include <complex.h>
 
-#include "acoustics/shell_radiation.h"
+#include "air_model/shell_radiation.h"
 #include "math/bessel.h"
 #include "math/least_squares.h"
 #include "math/quadrature.h"

@@ -54,14 +54,14 @@ static double head_at(const Scene *scene, uint32_t head, double radius, double a
   const TaborModel *model = scene->model;
   const TbView state = tb_view(scene->drum->state, model);
   const double turn = (angle - model->axis) * 0.017453292519943295;
-  double *radial = calloc(model->head.row_count, sizeof *radial), sum = 0.0;
+  double *radial = calloc(model->body.row_count, sizeof *radial), sum = 0.0;
   double *shape = calloc(model->modes.padded, sizeof *shape);
   assert_true(radial && shape);
-  tb_modes_shape(&model->modes, &model->head, head, radius, sin(turn), cos(turn), NULL, radial,
+  tb_modes_shape(&model->modes, &model->body, head, radius, sin(turn), cos(turn), NULL, radial,
                  shape);
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     const uint32_t row = model->modes.row[i];
-    if (row == TB_NO_MODE || model->head.modes[row].omega > 6.283185307179586 * bandwidth) continue;
+    if (row == TB_NO_MODE || model->body.modes[row].omega > 6.283185307179586 * bandwidth) continue;
     sum += shape[i] * (state.now.q[i] + model->rest.q[i]);
   }
   free(radial);

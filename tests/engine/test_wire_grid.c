@@ -41,7 +41,7 @@ static Room make_room(TbArena *arena, const TaborModel *model) {
 /* Exact shapes of all modes at a row. */
 static void exact(const TaborModel *model, uint32_t row, double *radial, double *shape) {
   const double x = model->wires.row_x[row], y = model->wires.row_y[row], r = sqrt(x * x + y * y);
-  tb_modes_shape(&model->modes, &model->head, 0, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0,
+  tb_modes_shape(&model->modes, &model->body, 0, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0,
                  NULL, radial, shape);
 }
 
@@ -51,7 +51,7 @@ static double worst_shape(const TaborModel *model) {
   const Room room = make_room(&arena, model);
   const TbWireGrid *wire_grid = &model->projection.wire_grid;
   const uint32_t modes = model->modes.group[model->modes.groups];
-  double *radial = take(&arena, model->head.row_count), *shape = take(&arena, model->modes.padded);
+  double *radial = take(&arena, model->body.row_count), *shape = take(&arena, model->modes.padded);
   double *table = take(&arena, (size_t)model->wires.stride * modes);
   double worst = 0.0, most = 0.0;
   for (uint32_t i = 0; i < modes; i++) {
@@ -151,7 +151,7 @@ static void compliance_agrees_with_the_modes(void **state) {
   const uint32_t modes = model->modes.group[model->modes.groups];
   TbArena arena;
   const Room room = make_room(&arena, model);
-  double *radial = take(&arena, model->head.row_count);
+  double *radial = take(&arena, model->body.row_count);
   double *here = take(&arena, model->modes.padded), *there = take(&arena, model->modes.padded);
   double worst = 0.0, most = 0.0;
   for (uint32_t a = 20; a < model->wires.stride; a += 53) {

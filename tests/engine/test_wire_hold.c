@@ -2,7 +2,7 @@
 /* What wires in contact take from the high band's modes: in the limits of wire_hold.h. */
 #include "physics.h"
 
-#include "acoustics/head_waves.h"
+#include "bodies/sheet_waves.h"
 #include "model/wire_hold.h"
 
 static const double PI = 3.14159265358979323846;
@@ -128,8 +128,8 @@ static void waves_go_both_ways(void **state) {
   (void)state;
   for (double omega = BOTTOM; omega < TOP; omega *= 1.3) {
     double mass;
-    const double k = tb_head_wave_number(&FILM, &AIR, omega);
-    assert_true(fabs(tb_head_wave_frequency(&FILM, &AIR, k, &mass) / omega - 1.0) < 1e-9);
+    const double k = tb_sheet_wave_number(&FILM, &AIR, omega);
+    assert_true(fabs(tb_sheet_wave_frequency(&FILM, &AIR, k, &mass) / omega - 1.0) < 1e-9);
     assert_true(mass > 0.1 + 2.0 * 1.2 / k);
   }
 }

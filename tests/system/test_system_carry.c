@@ -499,12 +499,12 @@ static void overdamped_modes_keep_place_and_velocity(void **state) {
     memcpy(place + modes, before.last.q, modes * sizeof *place);
     TaborSwap *swap = send(drum, models[1 - way], TABOR_EVENT_SWAP);
     const TbView after = tb_view(drum->state, models[1 - way]);
-    assert_true(models[way]->head.modes[before.model->modes.row[0]].m ==
-                models[1 - way]->head.modes[after.model->modes.row[0]].m);
+    assert_true(models[way]->body.modes[before.model->modes.row[0]].m ==
+                models[1 - way]->body.modes[after.model->modes.row[0]].m);
     double most = 0.0;
     for (uint32_t i = 0; i < modes && i < after.model->modes.padded; i++) {
       most = fmax(most, fabs(place[i]));
-      const TbHeadMode *mode = &models[0]->head.modes[models[0]->modes.row[i]];
+      const TbBodyMode *mode = &models[0]->body.modes[models[0]->modes.row[i]];
       if (models[0]->modes.row[i] == TB_NO_MODE || mode->omega > mode->decay_rate) continue;
       assert_true(after.now.q[i] == place[i] && after.last.q[i] == place[modes + i]);
     }

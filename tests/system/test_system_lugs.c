@@ -5,7 +5,7 @@
  * usage: test_system_lugs [brief]: fewer of the ways that end alike. */
 #include "physics.h"
 
-#include "acoustics/lug_tension.h"
+#include "bodies/drum/lug_tension.h"
 #include "reference.h"
 
 static const double PI = 3.14159265358979323846;

@@ -43,7 +43,7 @@ static double decay_rate(const TaborDrumDef *def, double *expected) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] != 0) continue;
     *expected =
-      model->head.modes[0].decay_rate + 0.5 * def->batter.muffle_strength * shape[i] * shape[i];
+      model->body.modes[0].decay_rate + 0.5 * def->batter.muffle_strength * shape[i] * shape[i];
   }
   TaborDrum *drum = physics_drum(model);
   const TaborEvent strike = physics_strike(def);

@@ -42,9 +42,9 @@ enum { MODES = 6 };
 
 /* Decay rate of a mode of unit mass that would feed its own field: half the power through the sphere per kinetic
  * energy. p = -omega^2 rho0 R I cos(m theta) per unit amplitude. */
-static double rate_of_field(const TaborModel *model, const TbHeadMode *mode) {
+static double rate_of_field(const TaborModel *model, const TbBodyMode *mode) {
   const TaborAirDef *air = &model->def.air;
-  const double around = mode->m ? PI : 2.0 * PI, radius = model->head.radius;
+  const double around = mode->m ? PI : 2.0 * PI, radius = model->body.radius;
   double sum = 0.0;
   for (int i = 0; i < RING; i++) {
     const double *field = mode->fields + 2 * i;
@@ -58,7 +58,7 @@ typedef struct Range {
   double lowest, highest;
 } Range;
 
-static void check_mode(const char *preset, const TaborModel *model, const TbHeadMode *mode,
+static void check_mode(const char *preset, const TaborModel *model, const TbBodyMode *mode,
                        Range *range) {
   const double ratio = mode->radiation_rate / rate_of_field(model, mode);
   if (!(fabs(ratio - 1.0) < ONE_MODE)) {
@@ -72,7 +72,7 @@ static void check_mode(const char *preset, const TaborModel *model, const TbHead
 /* Of the shell on its stand, which sways at 20 Hz, microphones hear the near field. */
 static const double LEAST_FAR = 8.0; /* least k s */
 
-static bool is_rim(const TbHeadMode *mode, const TaborModel *model) {
+static bool is_rim(const TbBodyMode *mode, const TaborModel *model) {
   return mode->part == TABOR_PART_RIM && mode->has_far &&
          mode->omega * SPHERE / model->def.air.sound_speed > LEAST_FAR;
 }
@@ -88,8 +88,8 @@ static void a_mode_loses_what_its_field_carries(void **state) {
     TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
     Range low = {INFINITY, 0.0}, rim = {INFINITY, 0.0};
     uint32_t lows = 0, rims = 0;
-    for (uint32_t row = 0; row < model->head.row_count; row++) {
-      const TbHeadMode *mode = &model->head.modes[row];
+    for (uint32_t row = 0; row < model->body.row_count; row++) {
+      const TbBodyMode *mode = &model->body.modes[row];
       if (is_rim(mode, model)) {
         check_mode(name, model, mode, &rim);
         rims++;

@@ -52,7 +52,7 @@ static void one_mode_swings_like_duffings_oscillator(void **state) {
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
   for (uint32_t i = 0; i < model->modes.padded; i += 7) {
     if (model->modes.row[i] == TB_NO_MODE || model->modes.row[i] > 9) continue;
-    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+    const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
     const double gain = model->stretch.gain[0][i];
     const double beta = model->stretch.factor[0] * gain * gain;
     for (double e = 0.02; e < 0.3; e *= 2.0) {
@@ -78,9 +78,9 @@ static void the_gain_of_a_mode_is_its_wavenumber_squared(void **state) {
   TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
-    if (mode->omega > 12.0 * model->head.modes[0].omega) continue; /* does not count */
-    const double k = model->head.orders[mode->m].zeros[mode->n - 1] / def.shell.radius;
+    const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
+    if (mode->omega > 12.0 * model->body.modes[0].omega) continue; /* does not count */
+    const double k = model->body.orders[mode->m].zeros[mode->n - 1] / def.shell.radius;
     assert_true(fabs(model->stretch.gain[0][i] * def.batter.surface_density / (k * k) - 1.0) <
                 1e-9);
   }
@@ -90,8 +90,8 @@ static void the_gain_of_a_mode_is_its_wavenumber_squared(void **state) {
 /* q^T G q is Int |grad w|^2 dA, here by quadrature over the head, of a motion of a few modes of a pair of heads. */
 static double slope_integral(const TaborModel *model, uint32_t which, const double *q) {
   enum { RADII = 400, ANGLES = 48 };
-  const double radius = model->head.radius, step = 1e-5 * radius;
-  double *radial = calloc(model->head.row_count, sizeof *radial);
+  const double radius = model->body.radius, step = 1e-5 * radius;
+  double *radial = calloc(model->body.row_count, sizeof *radial);
   double *shape = calloc(model->modes.padded, sizeof *shape), sum = 0.0;
   for (int i = 0; i < RADII; i++) {
     const double r = radius * (i + 0.5) / RADII;
@@ -101,7 +101,7 @@ static double slope_integral(const TaborModel *model, uint32_t which, const doub
         {r - step, angle}, {r + step, angle}, {r, angle - turn}, {r, angle + turn}};
       double w[4] = {0.0};
       for (int p = 0; p < 4; p++) {
-        tb_modes_shape(&model->modes, &model->head, which, places[p][0], sin(places[p][1]),
+        tb_modes_shape(&model->modes, &model->body, which, places[p][0], sin(places[p][1]),
                        cos(places[p][1]), NULL, radial, shape);
         for (uint32_t j = 0; j < model->modes.padded; j++) w[p] += q[j] * shape[j];
       }
@@ -418,7 +418,7 @@ static void drive_linear_head(const char *preset, double pressure) {
   for (int always = 0; always < 2; always++) {
     TaborModel *model;
     TaborDrum *drum = drum_that(always, &def, &model);
-    const double omega = model->head.modes[0].omega;
+    const double omega = model->body.modes[0].omega;
     for (int i = 0; i < ALL; i++) {
       air[i] = (float)((i < FAINT ? 0.01 : pressure) * sin(omega * i / SOUND_RATE));
     }

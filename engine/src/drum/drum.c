@@ -25,7 +25,7 @@ static double clamp(double value, double minimum, double maximum) {
 }
 
 static double place_radius(const TbView *view, double radius) {
-  return clamp(radius, 0.0, 0.999 * view->model->head.radius);
+  return clamp(radius, 0.0, 0.999 * view->model->body.radius);
 }
 
 /* The same direction within one turn, whose sine and cosine keep all digits; exact. */

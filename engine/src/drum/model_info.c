@@ -3,7 +3,7 @@
 #include "state/state.h"
 
 static uint32_t row_count(const TaborModel *model) {
-  return model->lugs.count ? model->lugs.row_count : model->head.row_count;
+  return model->lugs.count ? model->lugs.row_count : model->body.row_count;
 }
 
 void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
@@ -13,8 +13,8 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .quality = model->quality,
     .mode_count = model->modes.count,
     .mode_rows = row_count(model),
-    .two_way_bandwidth = model->head.bandwidth,
-    .bandwidth = model->high.count ? model->top : model->head.bandwidth,
+    .two_way_bandwidth = model->body.bandwidth,
+    .bandwidth = model->high.count ? model->top : model->body.bandwidth,
     .high_mode_count = model->high.count,
     .newton_cap = model->newton_cap,
     .wire_count = model->wires.count,
@@ -27,6 +27,6 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
 
 bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
   if (row >= row_count(model)) return false;
-  *info = model->lugs.count ? model->lugs.rows[row] : tb_head_mode_info(&model->head.modes[row]);
+  *info = model->lugs.count ? model->lugs.rows[row] : tb_body_mode_info(&model->body.modes[row]);
   return true;
 }

@@ -56,10 +56,10 @@ static bool continues(const TaborModel *a, const TaborModel *b) {
          a->wires.side == b->wires.side && (a->wires.count == 0 || a->axis == b->axis);
 }
 
-static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uint8_t sine) {
+static uint32_t find_mode(const TaborModel *model, const TbBodyMode *wanted, uint8_t sine) {
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+    const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
     if (mode->m == wanted->m && mode->index == wanted->index && model->modes.sine[i] == sine)
       return i;
   }
@@ -67,12 +67,12 @@ static uint32_t find_mode(const TaborModel *model, const TbHeadMode *wanted, uin
 }
 
 /* w_d k, or -1 for an overdamped mode. */
-static double turn_per_sample(const TbHeadMode *mode, double k) {
+static double turn_per_sample(const TbBodyMode *mode, double k) {
   const double square = mode->omega * mode->omega - mode->decay_rate * mode->decay_rate;
   return square > 0.0 ? sqrt(square) * k : -1.0;
 }
 
-static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const TbHeadMode *to) {
+static void map_mode(TbMapping *map, uint32_t i, const TbBodyMode *from, const TbBodyMode *to) {
   const double t0 = turn_per_sample(from, map->step_from), t1 = turn_per_sample(to, map->step_to);
   if (t0 == t1 || t0 <= 0.0 || t1 <= 0.0) return; /* scale 0: copy */
   tb_sin_cos(t0, &map->sin_old[i], &map->cos_old[i]);
@@ -84,11 +84,11 @@ static void map_mode(TbMapping *map, uint32_t i, const TbHeadMode *from, const T
 
 /* Copies of one frequency turn into each other. */
 static void map_twin(TbMapping *map, uint32_t i, const TaborModel *from, const TaborModel *to) {
-  const uint32_t m = to->head.modes[to->modes.row[i]].m;
+  const uint32_t m = to->body.modes[to->modes.row[i]].m;
   const bool sine = to->modes.sine[i] != 0;
   double sine_turn, cosine_turn;
   if (from->axis == to->axis || m == 0) return;
-  map->twin[i] = find_mode(from, &to->head.modes[to->modes.row[i]], !sine);
+  map->twin[i] = find_mode(from, &to->body.modes[to->modes.row[i]], !sine);
   tb_sin_cos_degrees(to->axis - from->axis, &sine_turn, &cosine_turn);
   map->of_mode[i] = tb_angular(m, false, sine_turn, cosine_turn);
   map->of_twin[i] = tb_angular(m, true, sine_turn, cosine_turn) * (sine ? -1.0 : 1.0);
@@ -118,10 +118,10 @@ bool tb_swap_map(TaborSwap *swap) {
       same ? i : TB_NO_MODE; /* those that stand for truncated modes, see wire_yield.h */
     map->twin[i] = TB_NO_MODE;
     if (to->modes.row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &to->head.modes[to->modes.row[i]];
+    const TbBodyMode *mode = &to->body.modes[to->modes.row[i]];
     map->mode[i] = find_mode(from, mode, to->modes.sine[i]);
     if (map->mode[i] == TB_NO_MODE) continue;
-    map_mode(map, i, &from->head.modes[from->modes.row[map->mode[i]]], mode);
+    map_mode(map, i, &from->body.modes[from->modes.row[map->mode[i]]], mode);
     map_twin(map, i, from, to);
   }
   return true;

@@ -52,14 +52,14 @@ static bool moves(const double *radial, uint32_t radii) {
 
 /* R of all rows of modes over the radii: table[row][radii]. */
 static double *radial_table(TbViewTables *view, uint32_t which) {
-  const TbHead *head = &view->model->head;
+  const TbBody *body = &view->model->body;
   const uint32_t radii = view->seen.radii;
-  double *table = tb_arena_doubles(&view->arena, (size_t)head->row_count * radii);
-  double *radial = tb_arena_doubles(&view->arena, head->row_count);
+  double *table = tb_arena_doubles(&view->arena, (size_t)body->row_count * radii);
+  double *radial = tb_arena_doubles(&view->arena, body->row_count);
   if (view->arena.failed) return NULL;
   for (uint32_t i = 0; i < radii; i++) {
-    tb_head_radial(head, which, head->radius * i / (radii - 1), NULL, radial);
-    for (uint32_t row = 0; row < head->row_count; row++) table[row * radii + i] = radial[row];
+    tb_body_radial(body, which, body->radius * i / (radii - 1), NULL, radial);
+    for (uint32_t row = 0; row < body->row_count; row++) table[row * radii + i] = radial[row];
   }
   return table;
 }
@@ -67,7 +67,7 @@ static double *radial_table(TbViewTables *view, uint32_t which) {
 static bool is_shown(const TbViewTables *view, uint32_t mode) {
   const TaborModel *model = view->model;
   const uint32_t row = model->modes.row[mode];
-  return row != TB_NO_MODE && model->head.modes[row].omega <= TWO_PI * view->bandwidth;
+  return row != TB_NO_MODE && model->body.modes[row].omega <= TWO_PI * view->bandwidth;
 }
 
 /* Keeps the modes that move the head. */
@@ -82,7 +82,7 @@ static bool prepare_head(TbViewTables *view, uint32_t which) {
     if (!is_shown(view, i)) continue;
     const double *radial = table + (size_t)modes->row[i] * view->seen.radii;
     if (!moves(radial, view->seen.radii)) continue;
-    const uint32_t m = view->model->head.modes[modes->row[i]].m;
+    const uint32_t m = view->model->body.modes[modes->row[i]].m;
     head->modes[head->count++] =
       (TbViewMode){.mode = i, .sum = 2 * m + modes->sine[i], .radial = radial};
     if (m >= view->orders) view->orders = m + 1;
@@ -106,7 +106,7 @@ static void prepare_turn(TbViewTables *view) {
 
 static bool prepare_heads(TbViewTables *view) {
   const TaborModel *model = view->model;
-  for (uint32_t h = 0; h < model->head.heads; h++) {
+  for (uint32_t h = 0; h < model->body.surfaces; h++) {
     if (!prepare_head(view, h)) return false;
   }
   for (uint32_t i = 0; i < model->modes.padded; i++) view->seen.mode_count += is_shown(view, i);
@@ -165,13 +165,13 @@ TaborStatus tabor_view_create(TaborModel *model, const TaborViewGrid *asked, Tab
   if (!view) return memory_error(error);
   *view = (TbViewTables){.model = tabor_model_retain(model),
                          .bandwidth = grid.bandwidth,
-                         .seen = {.heads = model->head.heads,
+                         .seen = {.heads = model->body.surfaces,
                                   .radii = grid.radii,
                                   .angles = grid.angles,
                                   .wire_count = model->wires.count,
                                   .wire_points = model->wires.count ? grid.wire_points : 0,
-                                  .radius = model->head.radius,
-                                  .bandwidth = fmin(grid.bandwidth, model->head.bandwidth)}};
+                                  .radius = model->body.radius,
+                                  .bandwidth = fmin(grid.bandwidth, model->body.bandwidth)}};
   tb_arena_prepare(&view->arena, &allocator);
   if (!prepare_heads(view) || !prepare_wires(view)) {
     tabor_view_destroy(&view->seen);

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/closed_drum_modes.h"
+#include "bodies/drum/closed_drum_modes.h"
 
 void tb_high_air_plan(TbHighAirPlan *plan, const TaborDrumDef *def, double from, double to) {
   *plan = (TbHighAirPlan){.from = from, .to = to};

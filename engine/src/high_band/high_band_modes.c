@@ -4,9 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/closed_drum_modes.h"
-#include "acoustics/head_waves.h"
-#include "acoustics/single_head.h"
+#include "bodies/drum/closed_drum_modes.h"
+#include "bodies/drum/single_head.h"
+#include "bodies/sheet_waves.h"
 #include "definition/definition.h"
 #include "high_band/high_air_choice.h"
 #include "high_band/scattering.h"
@@ -67,11 +67,12 @@ typedef struct Builder {
 
 /* Of a wave with this Bessel zero, and its mass per area. */
 static double frequency(const Builder *b, const Side *side, double zero, double *mass) {
-  return tb_head_wave_frequency(side->head, &b->drum->def->air, zero / b->drum->head->radius, mass);
+  return tb_sheet_wave_frequency(side->head, &b->drum->def->air, zero / b->drum->body->radius,
+                                 mass);
 }
 
 static double x_at(const Builder *b, double omega) {
-  return omega * b->drum->head->radius / b->drum->def->air.sound_speed;
+  return omega * b->drum->body->radius / b->drum->def->air.sound_speed;
 }
 
 /* The microphones that choose the modes: those inside the shell only where there are no others. So a
@@ -123,7 +124,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
                     TbHighMode *c) {
   const TaborDrumDef *def = b->drum->def;
   const Side *side = &b->sides[head];
-  const double radius = b->drum->head->radius;
+  const double radius = b->drum->body->radius;
   double mass, resistance;
   *c = (TbHighMode){.head = head, .m = m, .zero = zero, .slope = slope, .in_head = 1.0};
   c->omega = frequency(b, side, zero, &mass);
@@ -134,7 +135,7 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
   c->scale = 1.0 / sqrt(mass * norm);
   const double upward = head ? -1.0 : 1.0; /* shapes are upward, fields of outward motion */
   for (uint32_t i = 0; i < 2 * def->mic_count; i++) c->fields[i] *= upward * c->scale;
-  c->decay_rate = tb_head_wave_decay_rate(side->head, radius, m, zero, slope, mass);
+  c->decay_rate = tb_sheet_wave_decay_rate(side->head, radius, m, zero, slope, mass);
   c->radiation_rate =
     def->air.density * def->air.sound_speed * resistance / (mass * c->slope * c->slope);
   return true;
@@ -221,14 +222,14 @@ static double square_of(const double *complex_number) {
 }
 
 /* Which head a two-way mode moves; TB_HEADS if both or neither. */
-static uint32_t head_of(const TbHeadMode *mode) {
+static uint32_t head_of(const TbBodyMode *mode) {
   if (mode->part == TABOR_PART_BATTER) return 0;
   return mode->part == TABOR_PART_RESONANT ? 1 : TB_HEADS;
 }
 
 /* What a force finds of a two-way mode on a head, in the mean over the head: against a Bessel function by itself, of
  * unit modal mass with this slope at the edge. */
-static double part_in_head(const TbHeadOrder *order, uint32_t k, uint32_t head, double slope) {
+static double part_in_head(const TbBodyOrder *order, uint32_t k, uint32_t head, double slope) {
   const double *v = order->vectors[head] + (size_t)k * order->zero_count;
   double square = 0.0;
   for (uint32_t i = 0; i < order->zero_count; i++) {
@@ -239,10 +240,10 @@ static double part_in_head(const TbHeadOrder *order, uint32_t k, uint32_t head, 
 }
 
 /* Upper two-way modes of one low order, as they radiate, against the same as Bessel functions. */
-static bool add_order_edge(const Builder *b, uint32_t head, const TbHeadOrder *order,
+static bool add_order_edge(const Builder *b, uint32_t head, const TbBodyOrder *order,
                            EdgeFactors *real, EdgeFactors *simple) {
   for (uint32_t k = order->mode_count / 2; k < order->mode_count; k++) {
-    const TbHeadMode *mode = &b->drum->head->modes[order->rows[k]];
+    const TbBodyMode *mode = &b->drum->body->modes[order->rows[k]];
     if (head_of(mode) != head) continue;
     const double zero = order->zeros[mode->n - 1], slope = tb_bessel_j(order->m + 1, zero);
     TbHighMode c;
@@ -266,7 +267,7 @@ static double ratio(double real, double simple) { return simple > 0.0 ? real / s
 enum { EDGE_ORDERS = 10 };
 
 static bool measure_edge(Builder *b, uint32_t head) {
-  const TbHead *modes = b->drum->head;
+  const TbBody *modes = b->drum->body;
   EdgeFactors real = {{0.0}, 0.0, 0.0}, simple = {{0.0}, 0.0, 0.0}, *edge = &b->sides[head].edge;
   for (uint32_t m = 0; m < modes->order_count && m < EDGE_ORDERS; m++) {
     if (!add_order_edge(b, head, &modes->orders[m], &real, &simple)) return false;
@@ -297,9 +298,9 @@ static double top_zero(const Builder *b, const Side *side) {
 /* How many of a head's Bessel functions of order m are two-way modes already. */
 static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double *zeros,
                       uint32_t count) {
-  const TbHead *modes = b->drum->head;
+  const TbBody *modes = b->drum->body;
   if (m >= modes->order_count) return 0;
-  const TbHeadOrder *order = &modes->orders[m];
+  const TbBodyOrder *order = &modes->orders[m];
   uint32_t there = 0;
   if (b->both_sides) {
     for (uint32_t k = 0; k < order->mode_count; k++) {
@@ -311,7 +312,7 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
   const double bandwidth = 2.0 * PI * modes->bandwidth;
   while (there < count && frequency(b, &b->sides[head], zeros[there], &mass) < bandwidth) there++;
   for (uint32_t k = 0; k < order->mode_count; k++) {
-    const TbHeadMode *mode = &modes->modes[order->rows[k]];
+    const TbBodyMode *mode = &modes->modes[order->rows[k]];
     if (head_of(mode) == head && mode->n > there) there = mode->n;
   }
   return there;
@@ -319,8 +320,8 @@ static uint32_t taken(const Builder *b, uint32_t head, uint32_t m, const double 
 
 /* Modes of one order of a single head above the two-way ones, with the air that those have. */
 static bool collect_whole(Builder *b, TbArena *scratch, uint32_t m) {
-  TbHeadOrder order = {.m = m, .zeros = tb_arena_doubles(scratch, MOST_ZEROS)};
-  TbHeadMode *modes = tb_arena_take(scratch, MOST_ZEROS, sizeof *modes);
+  TbBodyOrder order = {.m = m, .zeros = tb_arena_doubles(scratch, MOST_ZEROS)};
+  TbBodyMode *modes = tb_arena_take(scratch, MOST_ZEROS, sizeof *modes);
   TbAirOrder air;
   if (scratch->failed) return false;
   order.zero_count = tb_bessel_zeros(m, b->sides[0].top_zero + 2.0 * PI, order.zeros, MOST_ZEROS);
@@ -495,7 +496,7 @@ static bool collect(Builder *b, uint32_t heads) {
 static void prepare_side(Builder *b, uint32_t head) {
   const TaborDrumDef *def = b->drum->def;
   Side *side = &b->sides[head];
-  const double radius = b->drum->head->radius;
+  const double radius = b->drum->body->radius;
   side->head = head ? &def->resonant : &def->batter;
   for (uint32_t p = 0; p < def->mic_count; p++) {
     const double height = def->mic[p].height;
@@ -507,14 +508,14 @@ static void prepare_side(Builder *b, uint32_t head) {
 
 bool tb_high_modes_choose(TbHighModes *chosen, TbArena *scratch, const TbHighDrum *drum, double top,
                           uint32_t most) {
-  const uint32_t heads = drum->head->heads;
+  const uint32_t heads = drum->body->surfaces;
   Builder b = {.drum = drum,
                .scratch = scratch,
                .both_sides = !tb_has_cavity(drum->def),
                .top = 2.0 * PI * top};
   if (!b.both_sides) {
     const double to = tb_closed_drum_air_top(drum->def, b.top);
-    tb_high_air_plan(&b.air, drum->def, 2.0 * PI * drum->head->bandwidth, to);
+    tb_high_air_plan(&b.air, drum->def, 2.0 * PI * drum->body->bandwidth, to);
   }
   b.outside_count = tb_mics_outside(drum->def, b.outside);
   double zero = 0.0;

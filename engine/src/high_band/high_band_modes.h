@@ -3,7 +3,7 @@
 #ifndef TB_HIGH_BAND_MODES_H
 #define TB_HIGH_BAND_MODES_H
 
-#include "acoustics/head.h"
+#include "bodies/body.h"
 
 /* One Bessel function of one head, or a mode of the enclosed air with the wave that it is on a head; cosine and sine
  * copies together, at unit modal mass. */
@@ -31,7 +31,7 @@ typedef struct TbHighModes {
 /* The drum that they are of. */
 typedef struct TbHighDrum {
   const TaborDrumDef *def;
-  const TbHead *head;  /* its two-way modes */
+  const TbBody *body;  /* its two-way modes */
   double time_step;    /* [s] */
   uint32_t wired_head; /* on which wires lie; TB_HEADS: none */
 } TbHighDrum;

@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-#include "acoustics/closed_drum_modes.h"
-#include "acoustics/head_waves.h"
+#include "bodies/drum/closed_drum_modes.h"
+#include "bodies/sheet_waves.h"
 #include "definition/definition.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
@@ -39,10 +39,10 @@ static bool prepare_waves(TbHighCavity *cavity, TbArena *arena, uint32_t head) {
   for (uint32_t i = 0; i < functions->count; i++) {
     const double wavenumber = functions->zeros[i] / radius, slope = functions->slopes[i];
     double mass;
-    waves->omega[i] = tb_head_wave_frequency(film, &cavity->def->air, wavenumber, &mass);
+    waves->omega[i] = tb_sheet_wave_frequency(film, &cavity->def->air, wavenumber, &mass);
     waves->amplitude[i] = 1.0 / sqrt(mass * area * 0.5 * slope * slope);
     waves->decay_rate[i] =
-      tb_head_wave_decay_rate(film, radius, functions->m, functions->zeros[i], slope, mass);
+      tb_sheet_wave_decay_rate(film, radius, functions->m, functions->zeros[i], slope, mass);
   }
   return true;
 }

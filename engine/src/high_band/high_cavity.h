@@ -26,8 +26,8 @@
 #ifndef TB_HIGH_CAVITY_H
 #define TB_HIGH_CAVITY_H
 
-#include "acoustics/cavity_pressure.h"
-#include "acoustics/head.h"
+#include "bodies/body.h"
+#include "bodies/drum/cavity_pressure.h"
 
 /* The Bessel functions of one order on one head, at unit modal mass: [count]. */
 typedef struct TbHeadWaves {
@@ -77,7 +77,7 @@ void tb_high_cavity_take(TbHighCavity *cavity, const TbAirMode *mode, uint32_t c
 double tb_high_cavity_taken(const TbHighCavity *cavity, uint32_t head, uint32_t function,
                             double *air_rate);
 
-/* Adds what the mode radiates to mode->decay_rate, and writes its fields at all microphones, as TbHeadMode has them.
+/* Adds what the mode radiates to mode->decay_rate, and writes its fields at all microphones, as TbBodyMode has them.
  * Returns false if memory ran out. */
 bool tb_high_cavity_radiate(const TbHighCavity *cavity, TbArena *scratch, TbAirMode *mode,
                             double *fields);

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "acoustics/head_waves.h"
+#include "bodies/sheet_waves.h"
 #include "high_band/high_band_choice.h"
 
 static const double PI = 3.14159265358979323846;
@@ -15,8 +15,8 @@ static const double WIDEST = 0.25; /* W against B */
 static double group_velocity(const TaborHeadDef *head, const TaborAirDef *air, double k) {
   const double part = 0.01;
   double mass;
-  return (tb_head_wave_frequency(head, air, (1.0 + part) * k, &mass) -
-          tb_head_wave_frequency(head, air, (1.0 - part) * k, &mass)) /
+  return (tb_sheet_wave_frequency(head, air, (1.0 + part) * k, &mass) -
+          tb_sheet_wave_frequency(head, air, (1.0 - part) * k, &mass)) /
          (2.0 * part * k);
 }
 
@@ -26,17 +26,17 @@ static double rate_at(const TaborHeadDef *head, double omega, double velocity) {
 }
 
 double tb_scattering_rate(const TaborHeadDef *head, const TaborAirDef *air, double omega) {
-  return rate_at(head, omega, group_velocity(head, air, tb_head_wave_number(head, air, omega)));
+  return rate_at(head, omega, group_velocity(head, air, tb_sheet_wave_number(head, air, omega)));
 }
 
 /* D of a mode whose neighbours that are kept are `width` apart, W. */
 static double walk(const TbHighDrum *drum, const TbHighMode *mode, double width) {
   const TaborHeadDef *head = mode->head ? &drum->def->resonant : &drum->def->batter;
   if (head->unevenness == 0.0) return 0.0;
-  const double k = tb_head_wave_number(head, &drum->def->air, mode->omega);
+  const double k = tb_sheet_wave_number(head, &drum->def->air, mode->omega);
   const double velocity = group_velocity(head, &drum->def->air, k);
   const double rate = rate_at(head, mode->omega, velocity);
-  const double area = PI * drum->head->radius * drum->head->radius;
+  const double area = PI * drum->body->radius * drum->body->radius;
   return rate + width * rate / (rate + 2.0 * PI * velocity / (area * k));
 }
 

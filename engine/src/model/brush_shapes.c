@@ -26,28 +26,28 @@ static void fill_waves(const TaborModel *model, uint32_t striker, const TbBessel
 
 static bool prepare_table(const TaborModel *model, TbArena *arena, TbBesselTable *table) {
   double top = 0.0;
-  for (uint32_t m = 0; m < model->head.order_count; m++) {
-    const TbHeadOrder *order = &model->head.orders[m];
+  for (uint32_t m = 0; m < model->body.order_count; m++) {
+    const TbBodyOrder *order = &model->body.orders[m];
     top = fmax(top, order->zeros[order->zero_count - 1]);
   }
   for (uint32_t i = 0; i < model->high.padded; i++) top = fmax(top, model->high.zero[i]);
   const uint32_t orders =
-    model->head.order_count > model->high.orders ? model->head.order_count : model->high.orders;
+    model->body.order_count > model->high.orders ? model->body.order_count : model->high.orders;
   return tb_bessel_table_prepare(table, arena, orders, top);
 }
 
 static TaborStatus prepare_rings(TaborModel *model, const TbBesselTable *table, uint32_t striker) {
   TbBrushShapes *places = &model->places[striker];
-  const size_t rows = model->head.row_count, waves = cosines_of(model);
-  places->apart = OUTERMOST * model->head.radius / (TB_RINGS - 1u);
+  const size_t rows = model->body.row_count, waves = cosines_of(model);
+  places->apart = OUTERMOST * model->body.radius / (TB_RINGS - 1u);
   places->rows = tb_arena_doubles(&model->arena, TB_RINGS * rows);
   places->waves = tb_arena_doubles(&model->arena, TB_RINGS * waves);
   if (model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t ring = 0; ring < TB_RINGS; ring++) {
     const double radius = ring * places->apart;
-    tb_head_radial_tabled(&model->head, table, TABOR_HEAD_BATTER, radius, model->patches[striker],
+    tb_body_radial_tabled(&model->body, table, TABOR_HEAD_BATTER, radius, model->patches[striker],
                           places->rows + ring * rows);
-    tb_head_add_lift(&model->head, radius, places->rows + ring * rows);
+    tb_body_add_lift(&model->body, radius, places->rows + ring * rows);
     if (waves > 0) fill_waves(model, striker, table, radius, places->waves + ring * waves);
   }
   return TABOR_OK;
@@ -90,7 +90,7 @@ void tb_brush_shapes_shape(const TaborModel *model, uint32_t striker, double rad
   const size_t ring = ring_of(model, striker, radius);
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
-  tb_modes_turn(&model->modes, &model->head, places->rows + ring * model->head.row_count, sine,
+  tb_modes_turn(&model->modes, &model->body, places->rows + ring * model->body.row_count, sine,
                 cosine, shape);
   if (cosines_of(model) == 0) return;
   tb_high_band_turn(&model->high, TABOR_HEAD_BATTER, places->waves + ring * cosines_of(model), sine,

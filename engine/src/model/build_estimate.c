@@ -4,13 +4,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/closed_drum_modes.h"
-#include "acoustics/head_pitch.h"
-#include "acoustics/head_waves.h"
+#include "bodies/drum/closed_drum_modes.h"
+#include "bodies/drum/head_pitch.h"
+#include "bodies/drum/tuning.h"
+#include "bodies/sheet_waves.h"
 #include "definition/definition.h"
 #include "math/portable_math.h"
+#include "model/body_kind.h"
 #include "model/quality_level.h"
-#include "model/tuning.h"
 #include "model/wires.h"
 
 static const double PI = 3.14159265358979323846;
@@ -31,7 +32,7 @@ typedef struct Sizes {
 } Sizes;
 
 static double wave_zero(const TaborDrumDef *def, const TaborHeadDef *head, double frequency) {
-  const double k = tb_head_wave_number(head, &def->air, 2.0 * PI * frequency);
+  const double k = tb_sheet_wave_number(head, &def->air, 2.0 * PI * frequency);
   return fmin(TB_TOP_ZERO, def->shell.radius * k);
 }
 
@@ -67,7 +68,7 @@ static const double MARGIN = 4.0;
 static void grid_sizes(const TaborDrumDef *def, const TbWires *wires, double bandwidth, bool exact,
                        Sizes *s) {
   const TaborHeadDef *head = wires->head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-  const double k = tb_head_wave_number(head, &def->air, 2.0 * PI * bandwidth);
+  const double k = tb_sheet_wave_number(head, &def->air, 2.0 * PI * bandwidth);
   const double along = wires->mirrored ? 2.0 : 1.0, across = wires->balanced ? 2.0 : 1.0;
   const double along_most = 2.0 * largest_row(wires, wires->row_x) * k / PI + 2.0 * MARGIN;
   const double across_most = 2.0 * largest_row(wires, wires->row_y) * k / PI + 2.0 * MARGIN;
@@ -84,13 +85,13 @@ static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sam
                            const TaborAllocator *allocator, Sizes *s, TaborError *error) {
   const TbLevel level = tb_level(def, quality, sample_rate);
   const double step_rate = tb_level_steps(quality, sample_rate) * sample_rate;
-  const TbHeadLimits limits =
+  const TbBodyLimits limits =
     tb_level_limits(quality, def->wires.count * level.wire_cells, step_rate);
   TbArena scratch;
   TbWires wires;
   double bandwidth;
   tb_arena_prepare(&scratch, allocator);
-  const double basis_top = tb_head_basis(def, level.bandwidth, limits, &bandwidth);
+  const double basis_top = tb_body_kind(def)->basis(def, level.bandwidth, limits, &bandwidth);
   const TaborStatus status =
     tb_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
   *s = (Sizes){.modes = fmin(limits.modes, mode_count(def, bandwidth)), .classes = 1.0};

@@ -36,14 +36,14 @@ typedef struct Statics {
 
 /* Weight of the heads on each mode: -Sum rho g Int phi dA, which only m = 0 has. */
 static void weigh_head(const TaborModel *model, double *weight) {
-  const TbHeadOrder *order = &model->head.orders[0];
-  const double radius = model->head.radius;
+  const TbBodyOrder *order = &model->body.orders[0];
+  const double radius = model->body.radius;
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+    const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
     if (mode->m != 0) continue;
-    for (uint32_t h = 0; h < model->head.heads; h++) {
+    for (uint32_t h = 0; h < model->body.surfaces; h++) {
       const double load = -heads[h]->surface_density * model->def.air.gravity;
       const double *v = order->vectors[h] + (size_t)mode->place * order->zero_count;
       double area = 0.0;

@@ -54,8 +54,8 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
 static void prepare_wire_hold(TbHighBand *band, const TaborModel *model, double top) {
   const TaborDrumDef *def = &model->def;
   const TaborHeadDef *head = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-  tb_wire_hold_prepare(&band->wire_hold, head, &def->air, &model->wires, model->head.radius,
-                       2.0 * PI * model->head.bandwidth, 2.0 * PI * top);
+  tb_wire_hold_prepare(&band->wire_hold, head, &def->air, &model->wires, model->body.radius,
+                       2.0 * PI * model->body.bandwidth, 2.0 * PI * top);
 }
 
 /* Frequencies are drawn this often [Hz], for cost: 1,024 modes then take eight a step. In that time modes
@@ -372,18 +372,18 @@ TaborStatus tb_high_band_prepare(TbHighBand *band, TbArena *arena, const TaborMo
   static bool (*const ROUND[])(TbHighBand *, TbArena *, uint32_t) = {
     [TB_IN_DOUBLE] = keep_ringing, [TB_IN_FLOAT] = round_ringing};
   const double turn = 2.0 * PI * STEADY * model->time_step;
-  *band = (TbHighBand){.radius = model->head.radius,
+  *band = (TbHighBand){.radius = model->body.radius,
                        .precision = model->precision,
                        .follow = (float)(turn / (1.0 + turn)),
                        .vanishes = (uint32_t)(VANISHED * (1.0 + turn) / turn)};
-  if (top <= model->head.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
+  if (top <= model->body.bandwidth || model->def.air.density == 0.0) return TABOR_OK;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
   TbHighModes chosen;
   const uint32_t most = model->quality <= TABOR_QUALITY_LIVE ? TB_HIGH_MOST_LIVE : TB_HIGH_MOST;
   const TbWires *wires = &model->wires;
   const TbHighDrum drum = {.def = &model->def,
-                           .head = &model->head,
+                           .body = &model->body,
                            .time_step = model->time_step,
                            .wired_head = wires->count > 0 ? wires->head : TB_HEADS};
   bool done = tb_high_modes_choose(&chosen, &scratch, &drum, top, most);

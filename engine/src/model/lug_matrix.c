@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "acoustics/lug_tension.h"
+#include "bodies/drum/lug_tension.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "math/quadrature.h"
@@ -22,9 +22,9 @@ typedef struct Shapes {
   double *value, *slope;
 } Shapes;
 
-static const TbHeadMode *mode_of(const Shapes *shapes, uint32_t i) {
+static const TbBodyMode *mode_of(const Shapes *shapes, uint32_t i) {
   const TaborModel *model = shapes->model;
-  return &model->head.modes[model->modes.row[shapes->mode[i]]];
+  return &model->body.modes[model->modes.row[shapes->mode[i]]];
 }
 
 bool tb_lugs_uneven(const TaborDrumDef *def) {
@@ -55,8 +55,8 @@ static const double LEAST_PART = 1e-6;
 
 static void radial_shape(const Shapes *shapes, uint32_t h, uint32_t i, double *value,
                          double *slope) {
-  const TbHeadMode *mode = mode_of(shapes, i);
-  const TbHeadOrder *order = &shapes->model->head.orders[mode->m];
+  const TbBodyMode *mode = mode_of(shapes, i);
+  const TbBodyOrder *order = &shapes->model->body.orders[mode->m];
   const double *v = order->vectors[h] + (size_t)mode->place * order->zero_count;
   double largest = 0.0;
   for (uint32_t k = 0; k < order->zero_count; k++) largest = fmax(largest, fabs(v[k]));
@@ -145,7 +145,7 @@ bool tb_lug_matrix(const TaborModel *model, TbArena *scratch, const uint32_t *mo
   for (uint32_t i = 0; i < count; i++) {
     if (mode_of(&shapes, i)->m > shapes.top_order) shapes.top_order = mode_of(&shapes, i)->m;
   }
-  for (uint32_t h = 0; h < model->head.heads; h++) {
+  for (uint32_t h = 0; h < model->body.surfaces; h++) {
     TbLugTension field;
     const double turn = model->axis * PI / 180.0;
     if (!tb_lug_tension_prepare(&field, heads[h], turn)) continue;

@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "acoustics/lug_tension.h"
+#include "bodies/drum/lug_tension.h"
 #include "definition/error.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
@@ -24,8 +24,8 @@ static const double SLACK = 0.2;
 /* The first rows of head.modes, all copies of which are coupled. */
 static uint32_t coupled_rows(const TaborModel *model) {
   uint32_t row = 0, copies = 0;
-  for (; row < model->head.row_count; row++) {
-    copies += model->head.modes[row].m ? 2 : 1;
+  for (; row < model->body.row_count; row++) {
+    copies += model->body.modes[row].m ? 2 : 1;
     if (copies > MOST_COUPLED) break;
   }
   return row;
@@ -61,7 +61,7 @@ static uint32_t list_coupled(const TbLugs *lugs, const TbModes *modes, uint32_t 
 /* ---- what becomes of them ------------------------------------------------------------------- */
 
 static double omega_of(const TaborModel *model, uint32_t mode) {
-  return model->head.modes[model->modes.row[mode]].omega;
+  return model->body.modes[model->modes.row[mode]].omega;
 }
 
 /* A mode of the uneven head: named after the even mode that has most of it. */
@@ -70,7 +70,7 @@ static TaborModeInfo mixed_row(const TaborModel *model, const uint32_t *mode, ui
   TaborModeInfo row = {.frequency = sqrt(square) / (2.0 * PI), .multiplicity = 1};
   double most = 0.0;
   for (uint32_t i = 0; i < n; i++) {
-    const TbHeadMode *even = &model->head.modes[model->modes.row[mode[i]]];
+    const TbBodyMode *even = &model->body.modes[model->modes.row[mode[i]]];
     const double part = v[i] * v[i];
     row.decay_rate += part * even->decay_rate;
     row.radiation_rate += part * even->radiation_rate;
@@ -99,7 +99,7 @@ static TaborStatus find_rows(TaborModel *model, TbArena *scratch, const uint32_t
   double *stiffness = tb_arena_doubles(scratch, (size_t)n * n);
   double *squares = tb_arena_doubles(scratch, n);
   double *vectors = tb_arena_doubles(scratch, (size_t)n * n);
-  lugs->row_count = n + model->head.row_count - rows;
+  lugs->row_count = n + model->body.row_count - rows;
   lugs->rows = tb_arena_take(&model->arena, lugs->row_count, sizeof *lugs->rows);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < n * n; i++) stiffness[i] = coupling[i];
@@ -114,8 +114,8 @@ static TaborStatus find_rows(TaborModel *model, TbArena *scratch, const uint32_t
   for (uint32_t i = 0; i < n; i++) {
     lugs->rows[i] = mixed_row(model, mode, n, fmax(0.0, squares[i]), vectors + (size_t)i * n);
   }
-  for (uint32_t row = rows; row < model->head.row_count; row++) {
-    lugs->rows[n + row - rows] = tb_head_mode_info(&model->head.modes[row]);
+  for (uint32_t row = rows; row < model->body.row_count; row++) {
+    lugs->rows[n + row - rows] = tb_body_mode_info(&model->body.modes[row]);
   }
   qsort(lugs->rows, lugs->row_count, sizeof *lugs->rows, compare_rows);
   return TABOR_OK;
@@ -171,7 +171,7 @@ static TaborStatus prepare(TaborModel *model, TbArena *scratch, TaborError *erro
   double lowest;
   const TaborStatus status = find_rows(model, scratch, mode, n, rows, coupling, &lowest);
   if (status != TABOR_OK) return status;
-  const double even = model->head.modes[0].omega;
+  const double even = model->body.modes[0].omega;
   if (!(lowest > SLACK * even * even)) return refuse_slack(&model->def, error);
   return fill_table(model, mode, place, n, coupling) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }

@@ -13,7 +13,7 @@ static const double PI = 3.14159265358979323846;
 
 /* Travel time to the nearest point of a head, in whole steps. */
 static uint32_t travel_steps(const TaborModel *model, const TaborMicDef *mic) {
-  const double aside = fmax(0.0, mic->radius - model->head.radius);
+  const double aside = fmax(0.0, mic->radius - model->body.radius);
   double height = fabs(mic->height);
   if (model->def.two_headed) height = fmin(height, fabs(mic->height + model->def.shell.depth));
   const double distance = sqrt(height * height + aside * aside);
@@ -55,7 +55,7 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   double sine, cosine;
   tb_sin_cos_degrees(model->def.mic[index].angle - model->axis, &sine, &cosine);
   const double turn = omega * model->time_step;
-  const double size = -omega * omega * model->def.air.density * model->head.radius *
+  const double size = -omega * omega * model->def.air.density * model->body.radius *
                       tb_angular(m, sine_copy, sine, cosine);
   const double phase = turn * (double)model->mics[index].travel;
   tb_pressure_weights(turn, pole, size, field, phase, ahead, behind);
@@ -82,11 +82,11 @@ typedef struct Weights {
   double ahead, behind, push_now, push_before;
 } Weights;
 
-static TbPole pole_of(const TaborModel *model, const TbHeadMode *mode) {
+static TbPole pole_of(const TaborModel *model, const TbBodyMode *mode) {
   return tb_pole(mode->omega, mode->decay_rate, model->time_step);
 }
 
-static Weights weights_of(const TaborModel *model, uint32_t index, const TbHeadMode *mode,
+static Weights weights_of(const TaborModel *model, uint32_t index, const TbBodyMode *mode,
                           const TbPole *pole, bool sine) {
   Weights w;
   tb_mic_weights(model, index, mode->omega, pole, mode->m, sine, mode->fields + 2 * index, &w.ahead,
@@ -99,7 +99,7 @@ static Weights weights_of(const TaborModel *model, uint32_t index, const TbHeadM
 /* Of all microphones. */
 static void mode_weights(TaborModel *model, uint32_t i) {
   if (model->modes.row[i] == TB_NO_MODE) return;
-  const TbHeadMode *mode = &model->head.modes[model->modes.row[i]];
+  const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
   const TbPole pole = pole_of(model, mode);
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     const Weights w = weights_of(model, index, mode, &pole, model->modes.sine[i]);
@@ -118,7 +118,7 @@ static const double LEAST_WEIGHT = 1e-3; /* of the largest: -60 dB */
 
 /* push[2 row + sine]: how much sound from the place of each microphone pushes a mode's copies. */
 static void find_pushes(const TaborModel *model, uint32_t row, double *const push[TABOR_MAX_MICS]) {
-  const TbHeadMode *mode = &model->head.modes[row];
+  const TbBodyMode *mode = &model->body.modes[row];
   if (mode->omega >= 2.0 * PI * LOW) return;
   const TbPole pole = pole_of(model, mode);
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
@@ -136,14 +136,14 @@ static void mark_low(uint32_t count, const double *push, uint8_t *low) {
 }
 
 TaborStatus tb_mics_find_low(TaborModel *model, TbArena *scratch, uint8_t *low) {
-  const uint32_t count = 2u * model->head.row_count;
+  const uint32_t count = 2u * model->body.row_count;
   double *push[TABOR_MAX_MICS] = {NULL};
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     model->mics[index].travel = travel_steps(model, &model->def.mic[index]);
     push[index] = tb_arena_doubles(scratch, count);
   }
   if (scratch->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t row = 0; row < model->head.row_count; row++) find_pushes(model, row, push);
+  for (uint32_t row = 0; row < model->body.row_count; row++) find_pushes(model, row, push);
   for (uint32_t index = 0; index < model->def.mic_count; index++) mark_low(count, push[index], low);
   return TABOR_OK;
 }

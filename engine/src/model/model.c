@@ -4,10 +4,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "bodies/drum/tuning.h"
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
 #include "math/thread_time.h"
+#include "model/body_kind.h"
 #include "model/build_estimate.h"
 #include "model/lug_modes.h"
 #include "model/mics.h"
@@ -15,7 +17,6 @@
 #include "model/resting.h"
 #include "model/state_layout.h"
 #include "model/stretch_gain.h"
-#include "model/tuning.h"
 #include "model/wire_gridf.h"
 #include "model/wire_reach.h"
 #include "model/wire_yield.h"
@@ -24,16 +25,16 @@ void tb_model_shape(const TaborModel *model, uint32_t which, double radius, doub
                     const double *patch, double *radial, double *shape) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
-  tb_head_radial(&model->head, which, radius, patch, radial);
-  tb_head_add_lift(&model->head, radius, radial);
-  tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
+  tb_body_radial(&model->body, which, radius, patch, radial);
+  tb_body_add_lift(&model->body, radius, radial);
+  tb_modes_turn(&model->modes, &model->body, radial, sine, cosine, shape);
 }
 
 void tb_model_hoop_shape(const TaborModel *model, double angle, double *radial, double *shape) {
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
-  tb_head_hoop(&model->head, radial);
-  tb_modes_turn(&model->modes, &model->head, radial, sine, cosine, shape);
+  tb_body_hoop(&model->body, radial);
+  tb_modes_turn(&model->modes, &model->body, radial, sine, cosine, shape);
 }
 
 void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radius, double angle,
@@ -96,10 +97,10 @@ static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
 }
 
 static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
-  double *radial = tb_arena_doubles(scratch, model->head.row_count);
+  double *radial = tb_arena_doubles(scratch, model->body.row_count);
   model->center = tb_arena_doubles(&model->arena, model->modes.padded);
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  tb_modes_shape(&model->modes, &model->head, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
+  tb_modes_shape(&model->modes, &model->body, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
                  model->center);
   return TABOR_OK;
 }
@@ -152,9 +153,9 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
 static TaborStatus list_modes(TaborModel *model, TbArena *arena, const uint8_t *low,
                               const uint32_t *spare, TbModes *modes, TbProjection *projection) {
   const TaborStatus status =
-    tb_modes_prepare(modes, arena, &model->head, &model->wires, low, spare, model->time_step);
+    tb_modes_prepare(modes, arena, &model->body, &model->wires, low, spare, model->time_step);
   if (status != TABOR_OK) return status;
-  return tb_projection_prepare(projection, arena, modes, &model->head, &model->wires,
+  return tb_projection_prepare(projection, arena, modes, &model->body, &model->wires,
                                model->grid_tolerance);
 }
 
@@ -171,7 +172,7 @@ static TaborStatus prepare_yield(TaborModel *model, TbArena *scratch, const uint
 
 static TaborStatus prepare_modes(TaborModel *model, TbArena *scratch) {
   TbWireYield yield = {.count = {0}};
-  uint8_t *low = tb_arena_take(scratch, 2u * model->head.row_count, sizeof *low);
+  uint8_t *low = tb_arena_take(scratch, 2u * model->body.row_count, sizeof *low);
   if (!low) return TABOR_ERROR_MEMORY;
   TaborStatus status = tb_mics_find_low(model, scratch, low);
   if (status == TABOR_OK) status = prepare_yield(model, scratch, low, &yield);
@@ -195,14 +196,14 @@ static TaborStatus prepare_mics(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_patches(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  model->palm_patch = tb_arena_doubles(&model->arena, model->head.zero_count);
+  model->palm_patch = tb_arena_doubles(&model->arena, model->body.zero_count);
   if (!model->palm_patch) return TABOR_ERROR_MEMORY;
-  tb_head_patch(&model->head, TB_PALM_RADIUS, model->palm_patch);
+  tb_body_patch(&model->body, TB_PALM_RADIUS, model->palm_patch);
   for (uint32_t i = 0; i <= model->def.striker_count; i++) {
     const bool hand = i == model->def.striker_count;
-    double *patch = tb_arena_doubles(&model->arena, model->head.zero_count);
+    double *patch = tb_arena_doubles(&model->arena, model->body.zero_count);
     if (!patch) return TABOR_ERROR_MEMORY;
-    tb_head_patch(&model->head, hand ? TB_HAND_RADIUS : model->def.striker[i].contact_radius,
+    tb_body_patch(&model->body, hand ? TB_HAND_RADIUS : model->def.striker[i].contact_radius,
                   patch);
     model->patches[hand ? TABOR_MAX_STRIKERS : i] = patch;
     if (hand) break;
@@ -228,9 +229,9 @@ static TaborStatus prepare_places(TaborModel *model, TbArena *scratch) {
 static TaborStatus prepare_truncated(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   const double bandwidth = model->def.quality.bandwidth;
-  if (bandwidth > 0.0 && bandwidth <= model->head.bandwidth) return TABOR_OK;
+  if (bandwidth > 0.0 && bandwidth <= model->body.bandwidth) return TABOR_OK;
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
-    tb_truncated_modes_prepare(&model->truncated[i], &model->def, model->head.bandwidth,
+    tb_truncated_modes_prepare(&model->truncated[i], &model->def, model->body.bandwidth,
                                model->def.striker[i].contact_radius, model->time_step);
   }
   return TABOR_OK;
@@ -309,9 +310,9 @@ static void set_accuracy(TaborModel *model, const TbLevel *level) {
 }
 
 /* Modes, with the sine copies. */
-static uint32_t mode_count(const TbHead *head) {
+static uint32_t mode_count(const TbBody *body) {
   uint32_t count = 0;
-  for (uint32_t row = 0; row < head->row_count; row++) count += head->modes[row].m ? 2 : 1;
+  for (uint32_t row = 0; row < body->row_count; row++) count += body->modes[row].m ? 2 : 1;
   return count;
 }
 
@@ -320,7 +321,7 @@ static uint32_t mode_count(const TbHead *head) {
  * modes and contact points in single precision. That is far below what a stroke 0.1 % faster changes. */
 static void relax_large(TaborModel *model, const TbLevel *level) {
   TbLevel relaxed = *level;
-  if (mode_count(&model->head) <= TB_FEW_MODES) return;
+  if (mode_count(&model->body) <= TB_FEW_MODES) return;
   relaxed.tolerance = fmax(level->tolerance, 1e-6);
   relaxed.inner_tolerance = fmax(level->inner_tolerance, 1e-2);
   relaxed.grid_tolerance = fmax(level->grid_tolerance, 1e-4);
@@ -340,15 +341,17 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   TbWatch *watch = model->arena.watch;
   const double whole = tb_build_seconds(cost);
   begin_stage(watch, cost->heads / whole);
-  TaborStatus status = tb_head_prepare(
-    &model->head, &model->arena, &model->def, level->bandwidth,
-    tb_level_limits(model->quality, model->def.wires.count * level->wire_cells, model->step_rate));
+  TaborStatus status =
+    tb_body_kind(&model->def)
+      ->prepare(&model->body, &model->arena, &model->def, level->bandwidth,
+                tb_level_limits(model->quality, model->def.wires.count * level->wire_cells,
+                                model->step_rate));
   if (status != TABOR_OK) return status;
-  if (model->head.row_count == 0) {
+  if (model->body.row_count == 0) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
                         "no mode of this head lies below the two-way bandwidth of %g Hz: it is too "
                         "small, light or tense",
-                        model->head.bandwidth);
+                        model->body.bandwidth);
   }
   relax_large(model, level);
   model->axis = model->def.wires.count > 0 ? model->def.wires.angle : model->def.strike.angle;

@@ -117,7 +117,7 @@ struct TaborModel {
   double *reach;                     /* [modes padded] see wire_clearance.h */
   const TbKernels *kernels;          /* for this processor, in double */
   const TbKernelsF *kernelsf;        /* for this processor, in single precision */
-  TbHead head;
+  TbBody body;
   TbWires wires;
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
@@ -148,7 +148,7 @@ struct TaborModel {
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 
 /* Computes shape[padded], the shape of every mode on a TaborHead at radius [m] and angle [deg,
- * absolute]. `patch` as in tb_head_radial(); radial is scratch of head.row_count. Audio-safe. */
+ * absolute]. `patch` as in tb_body_radial(); radial is scratch of head.row_count. Audio-safe. */
 void tb_model_shape(const TaborModel *model, uint32_t which, double radius, double angle,
                     const double *patch, double *radial, double *shape);
 

@@ -65,37 +65,37 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle) {
   return sine ? s[m] : c[m];
 }
 
-void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
+void tb_modes_shape(const TbModes *modes, const TbBody *body, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape) {
-  tb_head_radial(head, which, radius, patch, radial);
-  tb_modes_turn(modes, head, radial, sin_angle, cos_angle, shape);
+  tb_body_radial(body, which, radius, patch, radial);
+  tb_modes_turn(modes, body, radial, sin_angle, cos_angle, shape);
 }
 
-void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
+void tb_modes_turn(const TbModes *modes, const TbBody *body, const double *radial, double sin_angle,
                    double cos_angle, double *shape) {
   double c[TB_MAX_ORDERS], s[TB_MAX_ORDERS];
-  tb_angular_factors(head->order_count, sin_angle, cos_angle, c, s);
+  tb_angular_factors(body->order_count, sin_angle, cos_angle, c, s);
   for (uint32_t i = 0; i < modes->padded; i++) {
     const uint32_t row = modes->row[i];
     if (row == TB_NO_MODE) {
       shape[i] = 0.0;
       continue;
     }
-    const uint32_t m = head->modes[row].m;
+    const uint32_t m = body->modes[row].m;
     shape[i] = radial[row] * (modes->sine[i] ? s[m] : c[m]);
   }
 }
 
 /* All modes with their copies, by frequency, as long as they fit. */
-static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
+static bool list_modes(TbModes *list, TbArena *scratch, const TbBody *body) {
   *list = (TbModes){0};
-  list->row = tb_arena_take(scratch, head->most_modes, sizeof *list->row);
-  list->sine = tb_arena_take(scratch, head->most_modes, sizeof *list->sine);
+  list->row = tb_arena_take(scratch, body->most_modes, sizeof *list->row);
+  list->sine = tb_arena_take(scratch, body->most_modes, sizeof *list->sine);
   if (scratch->failed) return false;
-  for (uint32_t row = 0; row < head->row_count; row++) {
-    const uint32_t copies = head->modes[row].m ? 2 : 1;
-    if (list->count + copies > head->most_modes) break;
+  for (uint32_t row = 0; row < body->row_count; row++) {
+    const uint32_t copies = body->modes[row].m ? 2 : 1;
+    if (list->count + copies > body->most_modes) break;
     for (uint32_t copy = 0; copy < copies; copy++) {
       list->row[list->count] = row;
       list->sine[list->count++] = (uint8_t)copy;
@@ -110,9 +110,9 @@ static bool list_modes(TbModes *list, TbArena *scratch, const TbHead *head) {
 static const double FELT = 1e-2;
 
 /* most[i]: largest shape of listed mode i over the contact points. */
-static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *head,
+static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbBody *body,
                            const TbWires *wires, double *most) {
-  double *radial = tb_arena_doubles(scratch, head->row_count);
+  double *radial = tb_arena_doubles(scratch, body->row_count);
   double *shape = tb_arena_doubles(scratch, list->padded);
   if (scratch->failed) return false;
   for (uint32_t row = 0; row < wires->stride; row++) {
@@ -121,17 +121,17 @@ static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbHead *
     if (image || wires->real[row] == 0.0) continue;
     if (!tb_arena_go_on(scratch)) return false;
     const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
-    tb_modes_shape(list, head, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
+    tb_modes_shape(list, body, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
                    radial, shape);
     for (uint32_t i = 0; i < list->count; i++) most[i] = fmax(most[i], fabs(shape[i]));
   }
   return true;
 }
 
-static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
+static bool find_felt(const TbModes *list, TbArena *scratch, const TbBody *body,
                       const TbWires *wires, uint8_t *felt) {
   double *most = tb_arena_doubles(scratch, list->padded);
-  if (scratch->failed || !largest_shapes(list, scratch, head, wires, most)) return false;
+  if (scratch->failed || !largest_shapes(list, scratch, body, wires, most)) return false;
   double largest = 0.0;
   for (uint32_t i = 0; i < list->count; i++) largest = fmax(largest, most[i]);
   for (uint32_t i = 0; i < list->count; i++) felt[i] = most[i] > FELT * largest;
@@ -139,16 +139,16 @@ static bool find_felt(const TbModes *list, TbArena *scratch, const TbHead *head,
 }
 
 /* Under x -> -x, theta -> pi - theta: cos(m theta) is even for even m, sin(m theta) for odd m. */
-static bool is_odd_along(const TbHead *head, uint32_t row, bool sine) {
-  return (head->modes[row].m % 2 == 0) == sine;
+static bool is_odd_along(const TbBody *body, uint32_t row, bool sine) {
+  return (body->modes[row].m % 2 == 0) == sine;
 }
 
 /* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. Under y -> -y, theta ->
  * -theta, the cosines are even. */
-static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbHead *head, uint32_t i,
+static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbBody *body, uint32_t i,
                          bool felt) {
   if (!felt) return modes->groups;
-  const bool along = modes->halves == 2 && is_odd_along(head, list->row[i], list->sine[i]);
+  const bool along = modes->halves == 2 && is_odd_along(body, list->row[i], list->sine[i]);
   const bool across = modes->quarters == 2 && list->sine[i];
   return (along ? modes->quarters : 0u) + (across ? 1u : 0u);
 }
@@ -160,10 +160,10 @@ static const double ONE_HEAD = 1e-4;
 enum { LOWEST = 128 };
 
 /* The run of a mode that no wire feels. */
-static uint32_t run_of(const TbHead *head, const TbHeadMode *mode) {
-  if (head->heads < 2) return 0;
-  const double batter = tb_head_slope_square(head, 0, mode);
-  const double resonant = tb_head_slope_square(head, 1, mode);
+static uint32_t run_of(const TbBody *body, const TbBodyMode *mode) {
+  if (body->surfaces < 2) return 0;
+  const double batter = tb_body_slope_square(body, 0, mode);
+  const double resonant = tb_body_slope_square(body, 1, mode);
   return resonant < ONE_HEAD * batter ? 1 : (batter < ONE_HEAD * resonant ? 2 : 0);
 }
 
@@ -175,7 +175,7 @@ static uint32_t pad_with_silence(TbModes *modes, uint32_t next) {
 /* What the list of modes is to be ordered by. */
 typedef struct Listing {
   const TbModes *list;
-  const TbHead *head;
+  const TbBody *body;
   const uint8_t *felt, *low;
   uint8_t *section; /* of each listed mode that no wire feels */
   bool parts_copies;
@@ -191,7 +191,7 @@ static uint32_t section_of(const Listing *l, uint32_t i, uint32_t number) {
   const uint32_t row = l->list->row[i];
   const bool sine = l->list->sine[i] != 0, low = l->low[2u * row + sine] != 0;
   if (number < LOWEST) return 0;
-  return 3u * run_of(l->head, &l->head->modes[row]) + (low ? 0u : 1u + (l->parts_copies && sine));
+  return 3u * run_of(l->body, &l->body->modes[row]) + (low ? 0u : 1u + (l->parts_copies && sine));
 }
 
 /* The modes that no wire feels, in sections. */
@@ -246,7 +246,7 @@ static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const 
   for (uint32_t group = 0; group < modes->groups; group++) {
     modes->group[group] = next;
     for (uint32_t i = 0; i < list->count; i++) {
-      if (group_of(modes, list, l->head, i, l->felt[i]) == group) list_mode(modes, list, i, &next);
+      if (group_of(modes, list, l->body, i, l->felt[i]) == group) list_mode(modes, list, i, &next);
     }
     next = pad_with_silence(modes, next);
     for (uint32_t i = 0; spare && i < spare[group]; i++) modes->row[next++] = TB_NO_MODE;
@@ -257,7 +257,7 @@ static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const 
   return true;
 }
 
-static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head, double side,
+static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbBody *body, double side,
                               double k) {
   double **arrays[] = {&modes->a,         &modes->b,        &modes->g,          &modes->stiffness,
                        &modes->loss_head, &modes->loss_air, &modes->loss_shell, &modes->pull};
@@ -267,7 +267,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
   if (arena->failed) return false;
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &head->modes[modes->row[i]];
+    const TbBodyMode *mode = &body->modes[modes->row[i]];
     const TbPole pole = tb_pole(mode->omega, mode->decay_rate, k);
     const double each = mode->decay_rate > 0.0 ? pole.loss / mode->decay_rate : 0.0;
     modes->a[i] = pole.a;
@@ -283,7 +283,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbHead *head
   return true;
 }
 
-TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
+TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbBody *body,
                              const TbWires *wires, const uint8_t *low, const uint32_t *spare,
                              double time_step) {
   TbArena scratch;
@@ -291,17 +291,17 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
   *modes = (TbModes){.halves = wires->mirrored ? 2 : 1, .quarters = wires->balanced ? 2 : 1};
   modes->groups = modes->halves * modes->quarters;
   TbModes list;
-  uint8_t *felt = tb_arena_take(&scratch, head->most_modes, sizeof *felt);
+  uint8_t *felt = tb_arena_take(&scratch, body->most_modes, sizeof *felt);
   const Listing listing = {.list = &list,
-                           .head = head,
+                           .body = body,
                            .felt = felt,
                            .low = low,
-                           .section = tb_arena_take(&scratch, head->most_modes, 1),
+                           .section = tb_arena_take(&scratch, body->most_modes, 1),
                            .parts_copies = wires->count == 0};
-  const bool done = felt && listing.section && list_modes(&list, &scratch, head) &&
-                    find_felt(&list, &scratch, head, wires, felt) &&
+  const bool done = felt && listing.section && list_modes(&list, &scratch, body) &&
+                    find_felt(&list, &scratch, body, wires, felt) &&
                     order_modes(modes, arena, &listing, spare) &&
-                    mode_coefficients(modes, arena, head, wires->side, time_step);
+                    mode_coefficients(modes, arena, body, wires->side, time_step);
   tb_arena_release(&scratch);
   return done ? TABOR_OK : TABOR_ERROR_MEMORY;
 }

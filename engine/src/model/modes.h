@@ -9,7 +9,7 @@
 #ifndef TB_MODES_H
 #define TB_MODES_H
 
-#include "acoustics/head.h"
+#include "bodies/body.h"
 #include "kernels/kernels.h"
 #include "model/wires.h"
 
@@ -98,19 +98,19 @@ void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, dou
 
 /* Lists and orders the modes and computes their coefficients. Each group ends with spare[group]
  * modes that have neither, a multiple of 8; NULL: none. low[2 row + sine]: whether other drums' sound moves it. */
-TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbHead *head,
+TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbBody *body,
                              const TbWires *wires, const uint8_t *low, const uint32_t *spare,
                              double time_step);
 
 /* Computes shape[padded], the shape of every mode on head `which`, relative to the lifted edge, at
- * radius [m] and angle from the axis (sine, cosine). `patch` as in tb_head_radial();
+ * radius [m] and angle from the axis (sine, cosine). `patch` as in tb_body_radial();
  * radial is scratch of head.row_count. Audio-safe. */
-void tb_modes_shape(const TbModes *modes, const TbHead *head, uint32_t which, double radius,
+void tb_modes_shape(const TbModes *modes, const TbBody *body, uint32_t which, double radius,
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape);
 
 /* Computes the same from given radial shapes, radial[head.row_count]. */
-void tb_modes_turn(const TbModes *modes, const TbHead *head, const double *radial, double sin_angle,
+void tb_modes_turn(const TbModes *modes, const TbBody *body, const double *radial, double sin_angle,
                    double cos_angle, double *shape);
 
 #endif

@@ -30,7 +30,7 @@ typedef struct TbProjection {
 /* Chooses a grid on which the error of every mode's shape at every contact point is within
  * `tolerance` of the largest shape, and fills the tables. Set `precision` first. */
 TaborStatus tb_projection_prepare(TbProjection *projection, TbArena *arena, const TbModes *modes,
-                                  const TbHead *head, const TbWires *wires, double tolerance);
+                                  const TbBody *body, const TbWires *wires, double tolerance);
 
 /* Rounds both tables alike if `precision` is single, so that forces still do the work that the
  * ledger books. This halves the memory read in every sample; shapes are right to 6e-8. */

@@ -24,12 +24,12 @@ uint32_t tb_level_steps(uint32_t quality, double sample_rate) {
   return quality >= TABOR_QUALITY_STUDIO && sample_rate < ENOUGH_STEPS ? 2 : 1;
 }
 
-TbHeadLimits tb_level_limits(uint32_t quality, uint32_t points, double rate) {
+TbBodyLimits tb_level_limits(uint32_t quality, uint32_t points, double rate) {
   const double rim = fmin(RIM_TOP, TOP_OF_RATE * rate);
-  if (quality < TABOR_QUALITY_STUDIO) return (TbHeadLimits){TB_FEW_MODES, FEW_ZERO, rim};
+  if (quality < TABOR_QUALITY_STUDIO) return (TbBodyLimits){TB_FEW_MODES, FEW_ZERO, rim};
   const double fitting = MOST_PAIRS / fmax(1.0, points);
   const uint32_t modes = (uint32_t)fmin(MOST_MODES[quality], fmax(TB_FEW_MODES, fitting));
-  return (TbHeadLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes))), rim};
+  return (TbBodyLimits){modes, fmin(TB_TOP_ZERO, floor(1.0 + sqrt(4.0 * modes))), rim};
 }
 
 static TbLevel level_of(uint32_t quality) {

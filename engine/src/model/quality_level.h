@@ -3,7 +3,7 @@
 #ifndef TB_QUALITY_LEVEL_H
 #define TB_QUALITY_LEVEL_H
 
-#include "acoustics/head.h"
+#include "bodies/body.h"
 #include "kernels/precision.h"
 
 /* Modes that a model may have at any quality; those with more solve their contacts less exactly, see model.c. */
@@ -22,6 +22,6 @@ uint32_t tb_level_steps(uint32_t quality, double sample_rate);
 /* The level `quality`, with what the definition says otherwise. */
 TbLevel tb_level(const TaborDrumDef *def, uint32_t quality, double sample_rate);
 /* Limits of the heads' modes; `points` is the number of contact points of all wires, `rate` that of steps. */
-TbHeadLimits tb_level_limits(uint32_t quality, uint32_t points, double rate);
+TbBodyLimits tb_level_limits(uint32_t quality, uint32_t points, double rate);
 
 #endif

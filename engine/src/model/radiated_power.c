@@ -7,19 +7,19 @@
 #include "model/mics.h"
 #include "model/model.h"
 
-static const TbHeadMode *far_mode(const TaborModel *model, uint32_t i) {
+static const TbBodyMode *far_mode(const TaborModel *model, uint32_t i) {
   const uint32_t row = model->modes.row[i];
-  return row != TB_NO_MODE && model->head.modes[row].has_far ? &model->head.modes[row] : NULL;
+  return row != TB_NO_MODE && model->body.modes[row].has_far ? &model->body.modes[row] : NULL;
 }
 
-static uint32_t group_of(const TbHeadMode *mode, bool sine) {
+static uint32_t group_of(const TbBodyMode *mode, bool sine) {
   return mode->m == 0 ? 0 : 2 * mode->m - 1 + sine;
 }
 
 /* The weights of sqrt(energy) in each direction. */
-static void weigh(const TaborModel *model, const TbHeadMode *mode, double *ahead, double *behind) {
+static void weigh(const TaborModel *model, const TbBodyMode *mode, double *ahead, double *behind) {
   const TbPole pole = tb_pole(mode->omega, mode->decay_rate, model->time_step);
-  const double radius = model->head.radius, turn = mode->omega * model->time_step;
+  const double radius = model->body.radius, turn = mode->omega * model->time_step;
   double shares[TB_FAR_NODES];
   tb_far_shares(&model->def.air, mode->m, shares);
   for (uint32_t i = 0; i < TB_FAR_NODES; i++) {
@@ -41,7 +41,7 @@ TaborStatus tb_radiated_power_prepare(TaborModel *model) {
   for (uint32_t group = 0; group < TB_FAR_GROUPS; group++) {
     power->group[group] = next;
     for (uint32_t i = 0; i < model->modes.padded; i++) {
-      const TbHeadMode *mode = far_mode(model, i);
+      const TbBodyMode *mode = far_mode(model, i);
       if (!mode || group_of(mode, model->modes.sine[i]) != group) continue;
       const size_t at = (size_t)next * TB_FAR_NODES;
       weigh(model, mode, power->ahead + at, power->behind + at);

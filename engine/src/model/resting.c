@@ -53,7 +53,7 @@ static double most_energy(const TaborModel *model, uint32_t mode) {
   const double count = (double)model->modes.count, felt = FELT / count;
   const double heard = model->resting.heard[mode];
   if (model->modes.row[mode] == TB_NO_MODE || heard == 0.0) return felt;
-  const double omega = model->head.modes[model->modes.row[mode]].omega;
+  const double omega = model->body.modes[model->modes.row[mode]].omega;
   const double turn = model->modes.stiffness[mode] * square(model->time_step);
   return fmin(felt, 0.5 * square(omega * HEARD) / (count * turn * heard));
 }

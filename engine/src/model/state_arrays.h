@@ -50,7 +50,7 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
   ARRAY(slot_coupling, TB_DOUBLES, 1, 1, (size_t)TB_SLOTS *TB_SLOTS, strikers.slot_coupling)       \
   ARRAY(shape, TB_DOUBLES, 1, 1, (size_t)TB_SLOTS *TB_STATE_MODES, strikers.shape)                 \
   ARRAY(drive, TB_DOUBLES, 1, 1, (size_t)TB_SLOTS *TB_STATE_MODES, strikers.drive)                 \
-  ARRAY(radial, TB_DOUBLES, 1, 1, model->head.row_count, strikers.radial)                          \
+  ARRAY(radial, TB_DOUBLES, 1, 1, model->body.row_count, strikers.radial)                          \
   ARRAY(delay, TB_DOUBLES, TABOR_MAX_MICS, model->def.mic_count, model->mics[copy].delay + 1u,     \
         mics.delay[copy])
 

@@ -13,7 +13,7 @@ static const double TOP = 96.0;
 static uint32_t below(const TaborModel *model, double top, uint32_t from, uint32_t end) {
   const uint32_t *row = model->modes.row;
   uint32_t i = from;
-  while (i < end && row[i] != TB_NO_MODE && model->head.modes[row[i]].omega < top) i++;
+  while (i < end && row[i] != TB_NO_MODE && model->body.modes[row[i]].omega < top) i++;
   return tb_pad(i - from);
 }
 
@@ -42,7 +42,7 @@ static uint32_t stretching(const TaborModel *model, bool batter, bool resonant) 
 
 /* The groups that wires feel, then the sections of the others. */
 static void prepare_parts(TaborModel *model, TbStretchExtent extent) {
-  const double top = extent.times * tb_head_lowest(&model->head), mixed = extent.mixing.top;
+  const double top = extent.times * tb_body_lowest(&model->body), mixed = extent.mixing.top;
   const TbModes *modes = &model->modes;
   const uint32_t all = stretching(model, true, true);
   const uint32_t heads[TB_MODE_RUNS] = {all, stretching(model, true, false),
@@ -83,8 +83,8 @@ static void fill_gain(const TaborModel *model, uint32_t which, double top, doubl
     if (!(stretch->parts.heads[part] >> which & 1u)) continue;
     for (uint32_t i = from; i < from + stretch->parts.size[part]; i++) {
       const uint32_t row = model->modes.row[i];
-      if (row == TB_NO_MODE || model->head.modes[row].omega >= top) continue;
-      gain[i] = tb_head_slope_square(&model->head, stretch->head[which], &model->head.modes[row]);
+      if (row == TB_NO_MODE || model->body.modes[row].omega >= top) continue;
+      gain[i] = tb_body_slope_square(&model->body, stretch->head[which], &model->body.modes[row]);
     }
   }
 }
@@ -112,10 +112,10 @@ TaborStatus tb_stretch_prepare(TaborModel *model) {
 
 TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
-  const double area = PI * model->head.radius * model->head.radius;
+  const double area = PI * model->body.radius * model->body.radius;
   TbStretch *stretch = &model->stretch;
   stretch->count = 0;
-  for (uint32_t h = 0; h < model->head.heads; h++) {
+  for (uint32_t h = 0; h < model->body.surfaces; h++) {
     if (heads[h]->stretch_stiffness == 0.0) continue;
     stretch->head[stretch->count] = h;
     stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
@@ -126,7 +126,7 @@ TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
   for (uint32_t i = 0; i < stretch->count; i++) {
     stretch->gain[i] = tb_arena_doubles(&model->arena, model->modes.padded);
     if (!stretch->gain[i]) return TABOR_ERROR_MEMORY;
-    fill_gain(model, i, extent.times * tb_head_lowest(&model->head), stretch->gain[i]);
+    fill_gain(model, i, extent.times * tb_body_lowest(&model->body), stretch->gain[i]);
   }
   return tb_stretch_mixing_prepare(model, extent.mixing);
 }

@@ -22,7 +22,7 @@ TbMixingLimits tb_mixing_limits(const TaborModel *model) { return LIMITS[model->
 /* The heads' terms of one order. */
 typedef struct Order {
   const TaborModel *model;
-  const TbHeadOrder *order;
+  const TbBodyOrder *order;
   uint32_t *at[2];        /* index of each mode's copies, or TB_NO_MODE */
   double *stretch;        /* [zero_count] a_m R^2 K^2 J^2/2 */
   double least[TB_HEADS]; /* of |G_ij|/(omega_i omega_j) */
@@ -30,7 +30,7 @@ typedef struct Order {
 } Order;
 
 static double omega_of(const Order *o, uint32_t place) {
-  return o->model->head.modes[o->order->rows[place]].omega;
+  return o->model->body.modes[o->order->rows[place]].omega;
 }
 
 /* Whether both copies of a mode stretch the head, by the part of the modes where they stand. */
@@ -49,7 +49,7 @@ static bool stretches(const Order *o, uint32_t h, uint32_t place) {
 
 /* G_ij on stretching head h. */
 static double term(const Order *o, uint32_t h, uint32_t i, uint32_t j) {
-  const TbHeadOrder *order = o->order;
+  const TbBodyOrder *order = o->order;
   const double *vectors = order->vectors[o->model->stretch.head[h]];
   const double *v = vectors + (size_t)i * order->zero_count;
   const double *w = vectors + (size_t)j * order->zero_count;
@@ -159,7 +159,7 @@ static void find_copies(Order *o) {
   for (uint32_t i = 0; i < o->order->mode_count; i++) o->at[0][i] = o->at[1][i] = TB_NO_MODE;
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
-    const TbHeadMode *mode = &o->model->head.modes[modes->row[i]];
+    const TbBodyMode *mode = &o->model->body.modes[modes->row[i]];
     if (mode->m == o->order->m) o->at[modes->sine[i]][mode->place] = i;
   }
 }
@@ -175,7 +175,7 @@ static void count_modes(Order *o, double top) {
 }
 
 static bool prepare_order(Order *o, TbArena *scratch, double top) {
-  const TbHeadOrder *order = o->order;
+  const TbBodyOrder *order = o->order;
   const double azimuth = order->m ? PI : 2.0 * PI;
   for (int copy = 0; copy < 2; copy++) {
     o->at[copy] = tb_arena_take(scratch, order->mode_count + 1u, sizeof *o->at[copy]);
@@ -196,7 +196,7 @@ static double softest(const TaborModel *model, const double *gain) {
   double most = 0.0;
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
-    const double omega = model->head.modes[model->modes.row[i]].omega;
+    const double omega = model->body.modes[model->modes.row[i]].omega;
     most = fmax(most, gain[i] / (omega * omega));
   }
   return most;
@@ -209,16 +209,16 @@ static bool prepare_orders(const TaborModel *model, TbArena *scratch, TbMixingLi
   for (uint32_t h = 0; h < stretch->count; h++) {
     least[h] = limits.least * softest(model, stretch->gain[h]);
   }
-  for (uint32_t m = 0; m < model->head.order_count; m++) {
+  for (uint32_t m = 0; m < model->body.order_count; m++) {
     orders[m] =
-      (Order){.model = model, .order = &model->head.orders[m], .least = {least[0], least[1]}};
+      (Order){.model = model, .order = &model->body.orders[m], .least = {least[0], least[1]}};
     if (!prepare_order(&orders[m], scratch, limits.top)) return false;
   }
   return true;
 }
 
 static bool fill(TaborModel *model, const Order *orders) {
-  const uint32_t count = model->head.order_count;
+  const uint32_t count = model->body.order_count;
   TbMixing *mixing = &model->stretch.mixing;
   *mixing = (TbMixing){.heads = model->stretch.count};
   mixing->block = tb_arena_take(&model->arena, 2u * count + 1u, sizeof *mixing->block);
@@ -231,7 +231,7 @@ static bool fill(TaborModel *model, const Order *orders) {
 TaborStatus tb_stretch_mixing_prepare(TaborModel *model, TbMixingLimits limits) {
   TbArena scratch;
   tb_arena_beside(&scratch, &model->arena);
-  Order *orders = tb_arena_take(&scratch, model->head.order_count + 1u, sizeof *orders);
+  Order *orders = tb_arena_take(&scratch, model->body.order_count + 1u, sizeof *orders);
   const bool done =
     orders && prepare_orders(model, &scratch, limits, orders) && fill(model, orders);
   tb_arena_release(&scratch);

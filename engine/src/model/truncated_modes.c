@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-#include "acoustics/cavity_eigen.h"
+#include "bodies/sheet_waves.h"
 #include "math/bessel.h"
 #include "math/portable_math.h"
 #include "model/modes.h"
@@ -30,7 +30,7 @@ static double mass_at(const TaborDrumDef *def, double wavenumber) {
 }
 
 static double omega_at(const TaborDrumDef *def, double wavenumber) {
-  return sqrt(tb_head_stiffness(&def->batter, wavenumber) / mass_at(def, wavenumber));
+  return sqrt(tb_sheet_stiffness(&def->batter, wavenumber) / mass_at(def, wavenumber));
 }
 
 static double wavenumber_at(const TaborDrumDef *def, double omega) {
@@ -57,7 +57,7 @@ void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, do
     const double wavenumber = from * tb_exp(i * width), u = wavenumber * patch_radius;
     const double b = 2.0 * tb_bessel_j(1, u) / u;
     const double share = b * b * wavenumber * wavenumber * width / (2.0 * PI);
-    *compliance += share / tb_head_stiffness(&def->batter, wavenumber);
+    *compliance += share / tb_sheet_stiffness(&def->batter, wavenumber);
     *inverse_mass += share / mass_at(def, wavenumber);
   }
 }

@@ -14,7 +14,7 @@ static const double WORTH_THINNING = 0.75;
 typedef struct Fit {
   TbProjection *projection;
   const TbModes *modes;
-  const TbHead *head;
+  const TbBody *body;
   const TbWires *wires;
   TbArena *arena, *scratch;
   double tolerance;
@@ -28,15 +28,15 @@ typedef struct Fit {
 
 static bool shapes_at(const Fit *fit, uint32_t row, double *radial, double *shape) {
   const double x = fit->wires->row_x[row], y = fit->wires->row_y[row], r = sqrt(x * x + y * y);
-  if (r >= fit->head->radius) return false; /* beside the head: nothing moves, nothing touches */
-  tb_modes_shape(fit->modes, fit->head, fit->wires->head, r, r > 0.0 ? y / r : 0.0,
+  if (r >= fit->body->radius) return false; /* beside the head: nothing moves, nothing touches */
+  tb_modes_shape(fit->modes, fit->body, fit->wires->head, r, r > 0.0 ? y / r : 0.0,
                  r > 0.0 ? x / r : 1.0, NULL, radial, shape);
   return true;
 }
 
 static bool collect_shapes(Fit *fit) {
   const TbWireGrid *wire_grid = &fit->projection->wire_grid;
-  double *radial = tb_arena_doubles(fit->scratch, fit->head->row_count);
+  double *radial = tb_arena_doubles(fit->scratch, fit->body->row_count);
   double *shape = tb_arena_doubles(fit->scratch, fit->modes->padded);
   fit->shapes = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
   fit->lines = tb_arena_doubles(fit->scratch, (size_t)fit->modes_coupled * fit->stride);
@@ -422,14 +422,14 @@ static void start_bed(TbWireGrid *wire_grid, const TbModes *modes, const TbWires
 }
 
 TaborStatus tb_projection_prepare(TbProjection *p, TbArena *arena, const TbModes *modes,
-                                  const TbHead *head, const TbWires *wires, double tolerance) {
+                                  const TbBody *body, const TbWires *wires, double tolerance) {
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
   *p = (TbProjection){.precision = p->precision, .groups = modes->groups};
   start_bed(&p->wire_grid, modes, wires);
   Fit fit = {.projection = p,
              .modes = modes,
-             .head = head,
+             .body = body,
              .wires = wires,
              .arena = arena,
              .scratch = &scratch,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/head_waves.h"
+#include "bodies/sheet_waves.h"
 #include "math/portable_math.h"
 
 static const double PI = 3.14159265358979323846;
@@ -20,10 +20,10 @@ typedef struct Wave {
 } Wave;
 
 static Wave wave_at(const TaborHeadDef *head, const TaborAirDef *air, double omega) {
-  const double k = tb_head_wave_number(head, air, omega), step = 1e-4;
+  const double k = tb_sheet_wave_number(head, air, omega), step = 1e-4;
   double mass;
-  const double above = tb_head_wave_frequency(head, air, k * (1.0 + step), &mass);
-  const double below = tb_head_wave_frequency(head, air, k * (1.0 - step), &mass);
+  const double above = tb_sheet_wave_frequency(head, air, k * (1.0 + step), &mass);
+  const double below = tb_sheet_wave_frequency(head, air, k * (1.0 - step), &mass);
   return (Wave){.omega = omega,
                 .wavenumber = k,
                 .slope = head->tension + 2.0 * head->bending_stiffness * k * k,

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "acoustics/head_waves.h"
+#include "bodies/sheet_waves.h"
 #include "math/bessel.h"
 #include "math/bessel_table.h"
 #include "math/eigen.h"
@@ -142,7 +142,7 @@ static void add_mode(const Builder *b, uint32_t m, bool sine, double omega, doub
 static void add_zero(Builder *b, uint32_t m, double zero) {
   Places *p = &b->places;
   double mass;
-  const double omega = tb_head_wave_frequency(b->material, b->air, zero / b->radius, &mass);
+  const double omega = tb_sheet_wave_frequency(b->material, b->air, zero / b->radius, &mass);
   if (omega < b->bottom || omega >= b->top) return;
   const double slope = tb_bessel_j(m + 1, zero), radius = b->radius;
   const double norm = (m ? PI : 2.0 * PI) * radius * radius * 0.5 * slope * slope;
@@ -153,7 +153,7 @@ static void add_zero(Builder *b, uint32_t m, double zero) {
 }
 
 static double top_zero(const Builder *b) {
-  return fmin(TB_TOP_ZERO, b->radius * tb_head_wave_number(b->material, b->air, b->top));
+  return fmin(TB_TOP_ZERO, b->radius * tb_sheet_wave_number(b->material, b->air, b->top));
 }
 
 static bool add_all(Builder *b, TbArena *watched) {
@@ -249,7 +249,7 @@ static bool reduce_class(const Builder *b, TbArena *arena, TbArena *scratch, uin
 }
 
 bool tb_wire_yields(const TaborModel *model) {
-  return model->wires.count > 0 && model->top > LEAST_RATIO * model->head.bandwidth;
+  return model->wires.count > 0 && model->top > LEAST_RATIO * model->body.bandwidth;
 }
 
 TaborStatus tb_wire_yield_prepare(TbWireYield *yield, TbArena *arena, const TaborModel *model,
@@ -259,11 +259,11 @@ TaborStatus tb_wire_yield_prepare(TbWireYield *yield, TbArena *arena, const Tabo
   tb_arena_beside(&scratch, arena);
   Builder b = {.material = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant,
                .air = &def->air,
-               .radius = model->head.radius,
+               .radius = model->body.radius,
                .wires = &model->wires,
                .projection = projection,
                .kernels = model->kernels,
-               .bottom = 2.0 * PI * model->head.bandwidth,
+               .bottom = 2.0 * PI * model->body.bandwidth,
                .top = 2.0 * PI * model->top};
   *yield = (TbWireYield){.decay_rate = def->quality.losses ? 0.5 * (b.top - b.bottom) : 0.0};
   bool done = prepare_places(&b, &scratch) && allocate(&b, &scratch) && find_norms(&b, &scratch) &&

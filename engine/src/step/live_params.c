@@ -125,7 +125,7 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   const TbParam *param = tb_param_by_id(parameter);
   const int first = live_index(parameter);
   if (!param || first < 0) return false;
-  if (first == TB_LIVE_MUFFLE_RESONANT && view->model->head.heads < 2) return false;
+  if (first == TB_LIVE_MUFFLE_RESONANT && view->model->body.surfaces < 2) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
   TbLiveParam *live = &view->state->live.values[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
   move_to(live, clamp(value, param->info.minimum, param->info.maximum), view->model->step_rate);

@@ -98,7 +98,7 @@ static bool bristles(const TaborModel *model, const TbState *state, uint32_t i) 
 
 static bool damper(const TaborModel *model, const TbState *state, uint32_t i) {
   const TbSlot *s = &state->strikers.slots[i];
-  return s->head < model->head.heads && no_striker(s) && !s->on_hoop &&
+  return s->head < model->body.surfaces && no_striker(s) && !s->on_hoop &&
          state->strikers.laws[i].kind == TB_CONTACT_LAW_DAMPER;
 }
 

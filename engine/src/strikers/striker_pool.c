@@ -295,7 +295,7 @@ void tb_pool_take_away(TbView *view, uint32_t slot) {
 void tb_pool_muffle(TbView *view) {
   const TaborModel *model = view->model;
   const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
-  for (uint32_t h = 0; h < model->head.heads; h++) {
+  for (uint32_t h = 0; h < model->body.surfaces; h++) {
     const uint32_t slot = TB_MUFFLERS + h;
     TbSlot *s = tb_slot(view, slot);
     const double strength =

@@ -11,6 +11,10 @@ static const double RATE = 48000.0;
 
 /* ---- the physics ---------------------------------------------------------------------------- */
 
+static TbSheetInAir in_air_of(const TaborDrumDef *def) {
+  return (TbSheetInAir){&def->batter, &def->air, def->quality.losses != 0};
+}
+
 /* B = 2 J1(u)/u */
 static double patch(double u) { return u > 0.0 ? 2.0 * tb_bessel_j(1, u) / u : 1.0; }
 
@@ -18,12 +22,13 @@ static double patch(double u) { return u > 0.0 ? 2.0 * tb_bessel_j(1, u) / u : 1
 static void compliance_is_the_integral(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
+  const TbSheetInAir in_air = in_air_of(&def);
   static const double FROM[] = {0.1, 1.0, 2.0};
   static const double INTEGRAL[] = {2.6697659578572583, 0.4846673079094604, 0.08314186405824218};
   for (int i = 0; i < 3; i++) {
     const double a = 0.006, expected = INTEGRAL[i] / (2.0 * PI * def.batter.tension);
     double compliance, inverse_mass;
-    tb_truncated_modes_between(&def, a, FROM[i] / a, INFINITY, &compliance, &inverse_mass);
+    tb_truncated_modes_between(&in_air, a, FROM[i] / a, INFINITY, &compliance, &inverse_mass);
     print_message("from K a = %.1f: %.6g m/N, %.6g expected\n", FROM[i], compliance, expected);
     assert_true(fabs(compliance / expected - 1.0) < 1e-3);
   }
@@ -51,12 +56,13 @@ static double modal_compliance(const TaborDrumDef *def, double a, double r, doub
 static void compliance_is_that_of_the_missing_modes(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
+  const TbSheetInAir in_air = in_air_of(&def);
   const double a = 0.02, radius = def.shell.radius;
   for (double bottom = 10.0; bottom < 45.0; bottom *= 2.0) {
     double mean = 0.0, compliance, inverse_mass;
     for (int i = 0; i < 6; i++)
       mean += modal_compliance(&def, a, (0.2 + 0.1 * i) * radius, bottom) / 6;
-    tb_truncated_modes_between(&def, a, bottom / radius, INFINITY, &compliance, &inverse_mass);
+    tb_truncated_modes_between(&in_air, a, bottom / radius, INFINITY, &compliance, &inverse_mass);
     print_message("modes from z = %.0f: %.4g m/N, %.4g as an infinite membrane\n", bottom, mean,
                   compliance);
     assert_true(fabs(compliance / mean - 1.0) < 0.1);
@@ -84,10 +90,11 @@ static const double SMEARED = 0.25;
 static void oscillators_answer_like_the_membrane(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
+  const TbSheetInAir in_air = in_air_of(&def);
   const double a = 0.006, limit = 2.0 * PI * 4000.0;
   const double speed = sqrt(def.batter.tension / def.batter.surface_density);
   TbTruncatedModes m;
-  tb_truncated_modes_prepare(&m, &def, 4000.0, a, 1.0 / RATE);
+  tb_truncated_modes_prepare(&m, &in_air, 4000.0, a, 1.0 / RATE);
   double re, im, worst = 0.0;
   for (double omega = 1.25 * limit; omega < 2.0 * limit; omega *= 1.02) {
     response(&m, omega, &re, &im);
@@ -96,7 +103,7 @@ static void oscillators_answer_like_the_membrane(void **state) {
     worst = fmax(worst, fabs(omega * im / expected - 1.0));
   }
   double compliance, inverse_mass;
-  tb_truncated_modes_between(&def, a, limit / speed, INFINITY, &compliance, &inverse_mass);
+  tb_truncated_modes_between(&in_air, a, limit / speed, INFINITY, &compliance, &inverse_mass);
   response(&m, 0.1 * limit, &re, &im);
   print_message("mobility above the limit within %.1f %%; below it %.3f of the static compliance\n",
                 100.0 * worst, re / compliance);
@@ -116,18 +123,19 @@ static double static_compliance(const TbTruncatedModes *m) {
 static void nothing_is_left_in_the_limits(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
+  const TbSheetInAir in_air = in_air_of(&def);
   TbTruncatedModes m;
   double last = INFINITY;
   for (double limit = 500.0; limit <= 8000.0; limit *= 2.0) {
-    tb_truncated_modes_prepare(&m, &def, limit, 0.006, 1.0 / RATE);
+    tb_truncated_modes_prepare(&m, &in_air, limit, 0.006, 1.0 / RATE);
     const double compliance = static_compliance(&m);
     assert_true(compliance > 0.0 && compliance < 0.7 * last);
     last = compliance;
   }
   const TbTruncatedModes none = {0};
-  tb_truncated_modes_prepare(&m, &def, 9000.0, 0.05, 1.0 / RATE);
+  tb_truncated_modes_prepare(&m, &in_air, 9000.0, 0.05, 1.0 / RATE);
   assert_true(static_compliance(&m) < 1e-2 * last);
-  tb_truncated_modes_prepare(&m, &def, 4000.0, 0.0, 1.0 / RATE);
+  tb_truncated_modes_prepare(&m, &in_air, 4000.0, 0.0, 1.0 / RATE);
   assert_memory_equal(&m, &none, sizeof m);
 }
 

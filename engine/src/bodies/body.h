@@ -63,8 +63,9 @@ typedef struct TbBody {
   uint32_t order_count, row_count, zero_count;
   TbBodyOrder *orders;
   TbBodyMode *modes;
-  double radius;    /* [m] */
-  double bandwidth; /* of the modes kept [Hz] */
+  double radius;                /* [m] */
+  double bandwidth;             /* of the modes kept [Hz] */
+  TaborHeadDef sheet[TB_HEADS]; /* of each surface: its mass, stiffness, losses, unevenness */
 } TbBody;
 
 /* ---- a kind of body --------------------------------------------------------------------------- */

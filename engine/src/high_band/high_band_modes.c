@@ -497,7 +497,7 @@ static void prepare_side(Builder *b, uint32_t head) {
   const TaborDrumDef *def = b->drum->def;
   Side *side = &b->sides[head];
   const double radius = b->drum->body->radius;
-  side->head = head ? &def->resonant : &def->batter;
+  side->head = &b->drum->body->sheet[head];
   for (uint32_t p = 0; p < def->mic_count; p++) {
     const double height = def->mic[p].height;
     side->points[p] = (TbAirPoint){def->mic[p].radius / radius,

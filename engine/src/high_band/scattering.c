@@ -31,7 +31,7 @@ double tb_scattering_rate(const TaborHeadDef *head, const TaborAirDef *air, doub
 
 /* D of a mode whose neighbours that are kept are `width` apart, W. */
 static double walk(const TbHighDrum *drum, const TbHighMode *mode, double width) {
-  const TaborHeadDef *head = mode->head ? &drum->def->resonant : &drum->def->batter;
+  const TaborHeadDef *head = &drum->body->sheet[mode->head];
   if (head->unevenness == 0.0) return 0.0;
   const double k = tb_sheet_wave_number(head, &drum->def->air, mode->omega);
   const double velocity = group_velocity(head, &drum->def->air, k);

@@ -38,13 +38,13 @@ typedef struct Statics {
 static void weigh_head(const TaborModel *model, double *weight) {
   const TbBodyOrder *order = &model->body.orders[0];
   const double radius = model->body.radius;
-  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const TaborHeadDef *const sheet = model->body.sheet;
   for (uint32_t i = 0; i < model->modes.padded; i++) {
     if (model->modes.row[i] == TB_NO_MODE) continue;
     const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
     if (mode->m != 0) continue;
     for (uint32_t h = 0; h < model->body.surfaces; h++) {
-      const double load = -heads[h]->surface_density * model->def.air.gravity;
+      const double load = -sheet[h].surface_density * model->def.air.gravity;
       const double *v = order->vectors[h] + (size_t)mode->place * order->zero_count;
       double area = 0.0;
       for (uint32_t z = 0; z < order->zero_count; z++) {

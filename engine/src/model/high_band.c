@@ -53,9 +53,9 @@ static bool allocate(TbHighBand *band, TbArena *arena, uint32_t mics) {
 
 static void prepare_wire_hold(TbHighBand *band, const TaborModel *model, double top) {
   const TaborDrumDef *def = &model->def;
-  const TaborHeadDef *head = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-  tb_wire_hold_prepare(&band->wire_hold, head, &def->air, &model->wires, model->body.radius,
-                       2.0 * PI * model->body.bandwidth, 2.0 * PI * top);
+  tb_wire_hold_prepare(&band->wire_hold, &model->body.sheet[model->wires.head], &def->air,
+                       &model->wires, model->body.radius, 2.0 * PI * model->body.bandwidth,
+                       2.0 * PI * top);
 }
 
 /* Frequencies are drawn this often [Hz], for cost: 1,024 modes then take eight a step. In that time modes
@@ -67,7 +67,7 @@ static const double MOST_SCATTERED = 0.1;
 static void prepare_scattering(TbHighBand *band, const TaborModel *model) {
   const double steps = floor(model->step_rate / SCATTER_RATE + 0.5);
   const uint32_t blocks = band->padded / 8u;
-  band->seed = (uint64_t)model->def.resonant.lug_seed << 32 | model->def.batter.lug_seed;
+  band->seed = (uint64_t)model->body.sheet[1].lug_seed << 32 | model->body.sheet[0].lug_seed;
   band->scatter_steps = blocks > (uint32_t)steps ? blocks : (uint32_t)steps;
   band->scatter_by_wires = 6.0f / (float)band->scatter_steps; /* 3 k D/n of D = 2 s, s k = taken */
 }

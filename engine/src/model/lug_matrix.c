@@ -27,10 +27,10 @@ static const TbBodyMode *mode_of(const Shapes *shapes, uint32_t i) {
   return &model->body.modes[model->modes.row[shapes->mode[i]]];
 }
 
-bool tb_lugs_uneven(const TaborDrumDef *def) {
+bool tb_lugs_uneven(const TbBody *body) {
   TbLugTension field;
-  return tb_lug_tension_prepare(&field, &def->batter, 0.0) ||
-         (def->two_headed == 1 && tb_lug_tension_prepare(&field, &def->resonant, 0.0));
+  return tb_lug_tension_prepare(&field, &body->sheet[0], 0.0) ||
+         (body->surfaces == 2 && tb_lug_tension_prepare(&field, &body->sheet[1], 0.0));
 }
 
 /* J_m(z r) and its slope z J_m'(z r) = (m/r) J_m(z r) - z J_{m+1}(z r) at all radii, added to one mode. */
@@ -139,7 +139,7 @@ static void mirror(uint32_t n, double *matrix) {
 
 bool tb_lug_matrix(const TaborModel *model, TbArena *scratch, const uint32_t *mode, uint32_t count,
                    double *matrix) {
-  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const TaborHeadDef *const sheet = model->body.sheet;
   Shapes shapes = {.model = model, .mode = mode, .count = count};
   tb_quadrature(0.0, 1.0, PANELS, shapes.radius, shapes.weight);
   for (uint32_t i = 0; i < count; i++) {
@@ -148,8 +148,8 @@ bool tb_lug_matrix(const TaborModel *model, TbArena *scratch, const uint32_t *mo
   for (uint32_t h = 0; h < model->body.surfaces; h++) {
     TbLugTension field;
     const double turn = model->axis * PI / 180.0;
-    if (!tb_lug_tension_prepare(&field, heads[h], turn)) continue;
-    if (!add_head(&shapes, scratch, h, &field, heads[h]->tension, matrix)) return false;
+    if (!tb_lug_tension_prepare(&field, &sheet[h], turn)) continue;
+    if (!add_head(&shapes, scratch, h, &field, sheet[h].tension, matrix)) return false;
   }
   mirror(count, matrix);
   return true;

@@ -6,7 +6,7 @@
 #include "model/model.h"
 
 /* True if some head's lugs pull unevenly. */
-bool tb_lugs_uneven(const TaborDrumDef *def);
+bool tb_lugs_uneven(const TbBody *body);
 
 /* dK_ab = Sum over heads of Int grad a . (N - T) grad b dA [1/s2] between the modes mode[count],
  * which are indices in model->modes. matrix[count][count] must be zero on entry. Returns false if

@@ -122,13 +122,13 @@ static TaborStatus find_rows(TaborModel *model, TbArena *scratch, const uint32_t
 }
 
 /* The head whose lugs differ most is named. */
-static TaborStatus refuse_slack(const TaborDrumDef *def, TaborError *error) {
-  const TaborHeadDef *const heads[TB_HEADS] = {&def->batter, &def->resonant};
+static TaborStatus refuse_slack(const TbBody *body, TaborError *error) {
   double most[TB_HEADS] = {0.0};
-  for (uint32_t h = 0; h < TB_HEADS && (h == 0 || def->two_headed == 1); h++) {
+  for (uint32_t h = 0; h < body->surfaces; h++) {
     double deviation[TABOR_MAX_LUGS];
-    tb_lug_deviations(heads[h], deviation);
-    for (uint32_t j = 0; j < heads[h]->lug_count; j++) most[h] = fmax(most[h], fabs(deviation[j]));
+    tb_lug_deviations(&body->sheet[h], deviation);
+    for (uint32_t j = 0; j < body->sheet[h].lug_count; j++)
+      most[h] = fmax(most[h], fabs(deviation[j]));
   }
   const char *const name = most[1] > most[0] ? "resonant" : "batter";
   char key[TABOR_NAME_SIZE];
@@ -172,12 +172,12 @@ static TaborStatus prepare(TaborModel *model, TbArena *scratch, TaborError *erro
   const TaborStatus status = find_rows(model, scratch, mode, n, rows, coupling, &lowest);
   if (status != TABOR_OK) return status;
   const double even = model->body.modes[0].omega;
-  if (!(lowest > SLACK * even * even)) return refuse_slack(&model->def, error);
+  if (!(lowest > SLACK * even * even)) return refuse_slack(&model->body, error);
   return fill_table(model, mode, place, n, coupling) ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
 TaborStatus tb_lug_modes_prepare(TaborModel *model, TaborError *error) {
-  if (!tb_lugs_uneven(&model->def)) return TABOR_OK;
+  if (!tb_lugs_uneven(&model->body)) return TABOR_OK;
   TbArena scratch;
   tb_arena_beside(&scratch, &model->arena);
   const TaborStatus status = prepare(model, &scratch, error);

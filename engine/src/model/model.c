@@ -230,8 +230,11 @@ static TaborStatus prepare_truncated(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   const double bandwidth = model->def.quality.bandwidth;
   if (bandwidth > 0.0 && bandwidth <= model->body.bandwidth) return TABOR_OK;
+  const TbSheetInAir struck = {.sheet = &model->body.sheet[TABOR_HEAD_BATTER],
+                               .air = &model->def.air,
+                               .losses = model->def.quality.losses != 0};
   for (uint32_t i = 0; i < model->def.striker_count; i++) {
-    tb_truncated_modes_prepare(&model->truncated[i], &model->def, model->body.bandwidth,
+    tb_truncated_modes_prepare(&model->truncated[i], &struck, model->body.bandwidth,
                                model->def.striker[i].contact_radius, model->time_step);
   }
   return TABOR_OK;

@@ -97,11 +97,11 @@ static const double HOLD[] = {[TB_IN_DOUBLE] = INFINITY, [TB_IN_FLOAT] = 0.02};
 
 static void prepare_hold(TaborModel *model) {
   TbStretch *stretch = &model->stretch;
-  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const TaborHeadDef *const sheet = model->body.sheet;
   const double steps = HOLD[model->precision] * model->step_rate;
   stretch->hold = steps < UINT32_MAX ? (uint32_t)steps : UINT32_MAX;
   for (uint32_t i = 0; i < stretch->count; i++) {
-    stretch->least[i] = LEAST_RISE * heads[stretch->head[i]]->tension;
+    stretch->least[i] = LEAST_RISE * sheet[stretch->head[i]].tension;
   }
 }
 
@@ -111,14 +111,14 @@ TaborStatus tb_stretch_prepare(TaborModel *model) {
 }
 
 TaborStatus tb_stretch_prepare_to(TaborModel *model, TbStretchExtent extent) {
-  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const TaborHeadDef *const sheet = model->body.sheet;
   const double area = PI * model->body.radius * model->body.radius;
   TbStretch *stretch = &model->stretch;
   stretch->count = 0;
   for (uint32_t h = 0; h < model->body.surfaces; h++) {
-    if (heads[h]->stretch_stiffness == 0.0) continue;
+    if (sheet[h].stretch_stiffness == 0.0) continue;
     stretch->head[stretch->count] = h;
-    stretch->factor[stretch->count++] = 0.5 * heads[h]->stretch_stiffness / area;
+    stretch->factor[stretch->count++] = 0.5 * sheet[h].stretch_stiffness / area;
   }
   prepare_parts(model, extent);
   for (uint32_t h = 0; h < TB_HEADS; h++) list_felt(stretch, &model->modes, h);

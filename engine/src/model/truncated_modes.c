@@ -25,19 +25,19 @@ static const double FINEST = 40.0;
 /* Points of the integrals in every octave of K: at the finest, seven to a wave of B^2. */
 static const double PER_OCTAVE = 64.0;
 
-static double mass_at(const TaborDrumDef *def, double wavenumber) {
-  return def->batter.surface_density + 2.0 * def->air.density / wavenumber;
+static double mass_at(const TbSheetInAir *s, double wavenumber) {
+  return s->sheet->surface_density + 2.0 * s->air->density / wavenumber;
 }
 
-static double omega_at(const TaborDrumDef *def, double wavenumber) {
-  return sqrt(tb_sheet_stiffness(&def->batter, wavenumber) / mass_at(def, wavenumber));
+static double omega_at(const TbSheetInAir *s, double wavenumber) {
+  return sqrt(tb_sheet_stiffness(s->sheet, wavenumber) / mass_at(s, wavenumber));
 }
 
-static double wavenumber_at(const TaborDrumDef *def, double omega) {
+static double wavenumber_at(const TbSheetInAir *s, double omega) {
   double lo = 1e-3, hi = 1e7;
   for (int i = 0; i < 100; i++) {
     const double middle = sqrt(lo * hi);
-    if (omega_at(def, middle) < omega) {
+    if (omega_at(s, middle) < omega) {
       lo = middle;
     } else {
       hi = middle;
@@ -46,8 +46,8 @@ static double wavenumber_at(const TaborDrumDef *def, double omega) {
   return lo;
 }
 
-void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from,
-                                double to, double *compliance, double *inverse_mass) {
+void tb_truncated_modes_between(const TbSheetInAir *s, double patch_radius, double from, double to,
+                                double *compliance, double *inverse_mass) {
   *compliance = *inverse_mass = 0.0;
   const double top = fmin(to, FINEST / patch_radius);
   if (top <= from) return;
@@ -57,8 +57,8 @@ void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, do
     const double wavenumber = from * tb_exp(i * width), u = wavenumber * patch_radius;
     const double b = 2.0 * tb_bessel_j(1, u) / u;
     const double share = b * b * wavenumber * wavenumber * width / (2.0 * PI);
-    *compliance += share / tb_sheet_stiffness(&def->batter, wavenumber);
-    *inverse_mass += share / mass_at(def, wavenumber);
+    *compliance += share / tb_sheet_stiffness(s->sheet, wavenumber);
+    *inverse_mass += share / mass_at(s, wavenumber);
   }
 }
 
@@ -78,12 +78,12 @@ static void add_cell(TbTruncatedModes *m, uint32_t i, double compliance, double 
   m->compliance += m->drive[i] * m->shape[i];
 }
 
-void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def,
-                                double bandwidth, double patch_radius, double time_step) {
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TbSheetInAir *s, double bandwidth,
+                                double patch_radius, double time_step) {
   *mobility = (TbTruncatedModes){0};
   if (patch_radius <= 0.0) return;
   const double bottom = 2.0 * PI * bandwidth;
-  const double silent = fmax(LEAST_RATIO * bottom, omega_at(def, FIRST_ZERO / patch_radius));
+  const double silent = fmax(LEAST_RATIO * bottom, omega_at(s, FIRST_ZERO / patch_radius));
   const double top = fmin(silent, 2.0 * PI * TOP_OF_RATE / time_step);
   const double ratio = tb_exp(tb_log(top / bottom) / (TB_TRUNCATED - 1u));
   double lower = bottom;
@@ -91,11 +91,11 @@ void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *
     const double upper = lower * ratio;
     const bool last = i + 1 == TB_TRUNCATED;
     double compliance, inverse_mass;
-    tb_truncated_modes_between(def, patch_radius, wavenumber_at(def, lower),
-                               last ? INFINITY : wavenumber_at(def, upper), &compliance,
+    tb_truncated_modes_between(s, patch_radius, wavenumber_at(s, lower),
+                               last ? INFINITY : wavenumber_at(s, upper), &compliance,
                                &inverse_mass);
-    add_cell(mobility, i, compliance, inverse_mass,
-             def->quality.losses ? 0.5 * (upper - lower) : 0.0, time_step);
+    add_cell(mobility, i, compliance, inverse_mass, s->losses ? 0.5 * (upper - lower) : 0.0,
+             time_step);
     lower = upper;
   }
 }

@@ -35,6 +35,13 @@
 
 #define TB_TRUNCATED 8u
 
+/* A sheet between two halves of space. */
+typedef struct TbSheetInAir {
+  const TaborHeadDef *sheet;
+  const TaborAirDef *air;
+  bool losses; /* false: what is truncated does not lose energy */
+} TbSheetInAir;
+
 /* Truncated modes of one striker on one head; all 0: none. */
 typedef struct TbTruncatedModes {
   double a[TB_TRUNCATED], b[TB_TRUNCATED]; /* the recursion: see modes.h */
@@ -45,14 +52,14 @@ typedef struct TbTruncatedModes {
   double compliance;                       /* Sum g phi^2: over one step [m/N] */
 } TbTruncatedModes;
 
-/* Prepares the truncated modes of the batter head above omega_c = 2 pi `bandwidth` [Hz], under a
+/* Prepares the truncated modes of a sheet above omega_c = 2 pi `bandwidth` [Hz], under a
  * patch of `patch_radius` [m]. Set-up only. */
-void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TaborDrumDef *def,
+void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TbSheetInAir *sheet,
                                 double bandwidth, double patch_radius, double time_step);
 
 /* Static compliance C and inverse mass [1/kg] of the modes with wavenumbers `from` to `to` [1/m].
  * Set-up only. */
-void tb_truncated_modes_between(const TaborDrumDef *def, double patch_radius, double from,
+void tb_truncated_modes_between(const TbSheetInAir *sheet, double patch_radius, double from,
                                 double to, double *compliance, double *inverse_mass);
 
 /* All below is audio-safe; arrays are [TB_TRUNCATED]. */

@@ -257,7 +257,7 @@ TaborStatus tb_wire_yield_prepare(TbWireYield *yield, TbArena *arena, const Tabo
   const TaborDrumDef *def = &model->def;
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
-  Builder b = {.material = model->wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant,
+  Builder b = {.material = &model->body.sheet[model->wires.head],
                .air = &def->air,
                .radius = model->body.radius,
                .wires = &model->wires,

@@ -294,7 +294,7 @@ void tb_pool_take_away(TbView *view, uint32_t slot) {
 
 void tb_pool_muffle(TbView *view) {
   const TaborModel *model = view->model;
-  const TaborHeadDef *const heads[TB_HEADS] = {&model->def.batter, &model->def.resonant};
+  const TaborHeadDef *const sheet = model->body.sheet;
   for (uint32_t h = 0; h < model->body.surfaces; h++) {
     const uint32_t slot = TB_MUFFLERS + h;
     TbSlot *s = tb_slot(view, slot);
@@ -308,8 +308,8 @@ void tb_pool_muffle(TbView *view) {
     const bool there = s->kind == TB_SLOT_MUFFLER;
     const TbSlot hand = {.kind = TB_SLOT_MUFFLER,
                          .head = h,
-                         .radius = heads[h]->muffle_radius,
-                         .angle = heads[h]->muffle_angle,
+                         .radius = sheet[h].muffle_radius,
+                         .angle = sheet[h].muffle_angle,
                          .resistance = strength};
     if (there) {
       *s = hand;

@@ -70,7 +70,8 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
                            TbBodyLimits limits) {
   *body = (TbBody){.surfaces = tb_is_two_headed(def) ? 2 : 1,
                    .most_modes = limits.modes,
-                   .radius = def->shell.radius};
+                   .radius = def->shell.radius,
+                   .sheet = {def->batter, def->resonant}};
   const double basis_top = tb_drum_basis(def, bandwidth, limits, &body->bandwidth);
   const bool outside = tb_has_cavity(def) && def->air.density > 0.0;
   TbArena scratch;

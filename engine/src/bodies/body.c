@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "bodies/sheet_waves.h"
 #include "math/bessel.h"
 
 static const double PI = 3.14159265358979323846;
@@ -82,6 +83,11 @@ TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top,
   tb_arena_release(&scratch);
   if (status == TABOR_OK) sort_modes(body);
   return status;
+}
+
+double tb_body_wave_zero(const TaborHeadDef *sheet, const TaborAirDef *air, double radius,
+                         double frequency) {
+  return fmin(TB_TOP_ZERO, radius * tb_sheet_wave_number(sheet, air, 2.0 * PI * frequency));
 }
 
 double tb_body_lowest(const TbBody *body) {

@@ -70,7 +70,23 @@ typedef struct TbBody {
 
 /* ---- a kind of body --------------------------------------------------------------------------- */
 
+/* What the set-up of a body takes. */
+typedef struct TbBodyCost {
+  double modes;   /* sine copies counted */
+  double resolve; /* processor time of resolve() [s] */
+  double prepare; /* of prepare() [s] */
+} TbBodyCost;
+
 typedef struct TbBodyKind {
+  /* Turns what a definition asks for into what a body is built of: pitches into tensions. Explains what it refuses. */
+  TaborStatus (*resolve)(TaborDrumDef *def, const TbArena *beside, TaborError *error);
+  /* The same by a formula, right to some per cent. */
+  void (*resolve_roughly)(TaborDrumDef *def);
+  /* The sheets of a resolved definition's surfaces. */
+  void (*sheets)(const TaborDrumDef *def, TaborHeadDef sheet[TB_HEADS]);
+  /* The cost of `def`, which is `resolved` roughly, for the basis and the bandwidth of basis(). */
+  TbBodyCost (*cost)(const TaborDrumDef *def, const TaborDrumDef *resolved, double basis_top,
+                     double bandwidth, uint32_t most_modes);
   /* The highest Bessel zero of the basis for modes up to `bandwidth` [Hz], and the bandwidth that it holds. */
   double (*basis)(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits, double *reached);
   /* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies above it.
@@ -89,6 +105,10 @@ typedef TaborStatus TbBuildOrder(const void *context, TbArena *arena, TbArena *s
  * body->most_modes is set. */
 TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top,
                                  TbBuildOrder *build, const void *context);
+
+/* The zero of the Bessel function whose waves have this frequency [Hz] on a sheet in air, at most TB_TOP_ZERO. */
+double tb_body_wave_zero(const TaborHeadDef *sheet, const TaborAirDef *air, double radius,
+                         double frequency);
 
 /* ---- what a model asks of a body -------------------------------------------------------------- */
 

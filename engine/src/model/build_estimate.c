@@ -5,8 +5,6 @@
 #include <string.h>
 
 #include "bodies/drum/closed_drum_modes.h"
-#include "bodies/drum/head_pitch.h"
-#include "bodies/drum/tuning.h"
 #include "bodies/sheet_waves.h"
 #include "definition/definition.h"
 #include "math/portable_math.h"
@@ -20,7 +18,6 @@ static const double PI = 3.14159265358979323846;
 
 typedef struct Sizes {
   double modes;          /* sine copies counted */
-  double squares, cubes; /* sums over all orders of the eigenproblems' sizes */
   double classes;        /* of symmetry: 1, 2 or 4 */
   double wires, points;  /* of contact: `points` of all wires together */
   double half;           /* points of a wire that are not images of others */
@@ -31,26 +28,8 @@ typedef struct Sizes {
   double top_wavenumber; /* of sound at its top [1/m] */
 } Sizes;
 
-static double wave_zero(const TaborDrumDef *def, const TaborHeadDef *head, double frequency) {
-  const double k = tb_sheet_wave_number(head, &def->air, 2.0 * PI * frequency);
-  return fmin(TB_TOP_ZERO, def->shell.radius * k);
-}
-
-/* About z^2/4 - z/2 modes of one head lie below the zero z. */
-static double mode_count(const TaborDrumDef *def, double bandwidth) {
-  if (tb_is_two_headed(def)) return tb_closed_drum_mode_count(def, bandwidth);
-  const double z = wave_zero(def, &def->batter, bandwidth);
-  return fmax(1.0, 0.25 * z * z - 0.5 * z);
-}
-
-/* Sums over orders, of which a sample is looked at. */
-static void order_sizes(const TaborDrumDef *def, double basis_top, double limit, Sizes *s) {
-  const double step = fmax(1.0, basis_top / 32.0);
-  for (double m = 0.0; m < basis_top; m += step) {
-    const double size = 1.0 + tb_closed_drum_order_size(def, m, basis_top, limit);
-    s->squares += step * size * size;
-    s->cubes += step * size * size * size;
-  }
+static double wave_zero(const TaborDrumDef *def, const TaborHeadDef *sheet, double frequency) {
+  return tb_body_wave_zero(sheet, &def->air, def->shell.radius, frequency);
 }
 
 static double largest_row(const TbWires *wires, const double *place) {
@@ -64,11 +43,8 @@ static double largest_row(const TbWires *wires, const double *place) {
 /* Shapes that a tolerance tells apart, beyond the half waves of the finest mode. */
 static const double MARGIN = 4.0;
 
-/* `exact`: nothing is thinned. */
-static void grid_sizes(const TaborDrumDef *def, const TbWires *wires, double bandwidth, bool exact,
-                       Sizes *s) {
-  const TaborHeadDef *head = wires->head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-  const double k = tb_sheet_wave_number(head, &def->air, 2.0 * PI * bandwidth);
+/* k: wavenumber of the finest mode [1/m]; `exact`: nothing is thinned. */
+static void grid_sizes(const TbWires *wires, double k, bool exact, Sizes *s) {
   const double along = wires->mirrored ? 2.0 : 1.0, across = wires->balanced ? 2.0 : 1.0;
   const double along_most = 2.0 * largest_row(wires, wires->row_x) * k / PI + 2.0 * MARGIN;
   const double across_most = 2.0 * largest_row(wires, wires->row_y) * k / PI + 2.0 * MARGIN;
@@ -81,28 +57,36 @@ static void grid_sizes(const TaborDrumDef *def, const TbWires *wires, double ban
   s->used = s->lines / across * (thinned ? fmin(s->half, along_most / along) : s->half);
 }
 
-static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sample_rate,
-                           const TaborAllocator *allocator, Sizes *s, TaborError *error) {
+static TaborStatus measure(const TaborDrumDef *asked, uint32_t quality, double sample_rate,
+                           const TaborAllocator *allocator, Sizes *s, TbBodyCost *body,
+                           TaborError *error) {
+  TaborDrumDef resolved = *asked;
+  const TaborDrumDef *const def = &resolved;
+  tb_body_kind(asked)->resolve_roughly(&resolved);
   const TbLevel level = tb_level(def, quality, sample_rate);
   const double step_rate = tb_level_steps(quality, sample_rate) * sample_rate;
   const TbBodyLimits limits =
     tb_level_limits(quality, def->wires.count * level.wire_cells, step_rate);
+  const TbBodyKind *const kind = tb_body_kind(def);
+  TaborHeadDef sheet[TB_HEADS];
   TbArena scratch;
   TbWires wires;
   double bandwidth;
   tb_arena_prepare(&scratch, allocator);
-  const double basis_top = tb_body_kind(def)->basis(def, level.bandwidth, limits, &bandwidth);
+  const double basis_top = kind->basis(def, level.bandwidth, limits, &bandwidth);
+  kind->sheets(def, sheet);
   const TaborStatus status =
     tb_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
-  *s = (Sizes){.modes = fmin(limits.modes, mode_count(def, bandwidth)), .classes = 1.0};
-  s->top_zero = wave_zero(def, &def->batter, level.top);
+  *body = kind->cost(asked, def, basis_top, bandwidth, limits.modes);
+  *s = (Sizes){.modes = body->modes, .classes = 1.0};
+  s->top_zero = wave_zero(def, &sheet[0], level.top);
   s->top_wavenumber = 2.0 * PI * level.top / def->air.sound_speed;
-  order_sizes(def, basis_top, 2.0 * PI * bandwidth, s);
   if (status == TABOR_OK && wires.count > 0) {
-    const TaborHeadDef *head = wires.head == TABOR_HEAD_BATTER ? &def->batter : &def->resonant;
-    const double from = wave_zero(def, head, bandwidth), to = wave_zero(def, head, level.top);
+    const TaborHeadDef *under = &sheet[wires.head];
+    const double from = wave_zero(def, under, bandwidth), to = wave_zero(def, under, level.top);
+    const double k = tb_sheet_wave_number(under, &def->air, 2.0 * PI * bandwidth);
     const bool exact = level.grid_tolerance == 0.0 && s->modes <= TB_FEW_MODES;
-    grid_sizes(def, &wires, bandwidth, exact, s);
+    grid_sizes(&wires, k, exact, s);
     s->waves = fmax(0.0, 0.25 * (to * to - from * from));
   }
   tb_arena_release(&scratch);
@@ -110,26 +94,6 @@ static TaborStatus measure(const TaborDrumDef *def, uint32_t quality, double sam
 }
 
 /* ---- time and memory ------------------------------------------------------------------------ */
-
-/* An eigenproblem of one order, without what comes of its modes. */
-static double eigen_seconds(double squares, double cubes) { return 2e-7 * squares + 4e-10 * cubes; }
-
-/* A search takes some seven trials. */
-static double tuning_seconds(const TaborDrumDef *def, TaborHead which, const TaborHeadDef *pitched,
-                             double tension) {
-  if (pitched->pitch == 0) return 0.0;
-  const double size = tb_head_pitch_size(def, which, tension);
-  return 0.004 + 7.0 * eigen_seconds(size * size, size * size * size);
-}
-
-/* Eigenproblems; then what each mode meets of the air: outside a shell a boundary integral, at an open head sums over
- * its Bessel functions. */
-static double head_seconds(const TaborDrumDef *def, const Sizes *s) {
-  const double eigen = 0.001 + eigen_seconds(s->squares, s->cubes);
-  if (def->air.density == 0.0) return 0.6 * eigen; /* nothing couples the air's coordinates */
-  if (!tb_has_cavity(def)) return eigen + 2e-6 * s->squares;
-  return eigen + (tb_is_two_headed(def) ? 0.018 : 0.003) + 4.5e-5 * s->modes;
-}
 
 /* Shapes of modes and their principal components; twice if one-way modes stand beside them. */
 static double grid_seconds(const Sizes *s) {
@@ -171,16 +135,12 @@ double tb_build_seconds(const TbBuildCost *cost) {
 TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double sample_rate,
                           const TaborAllocator *allocator, TbBuildCost *cost, TaborError *error) {
   Sizes s;
-  TaborDrumDef tuned = *def;
-  tb_tune_roughly(&tuned);
-  const TaborStatus status = measure(&tuned, quality, sample_rate, allocator, &s, error);
+  TbBodyCost body;
+  const TaborStatus status = measure(def, quality, sample_rate, allocator, &s, &body, error);
   const double cells = s.wires > 0.0 ? s.points / s.wires : 0.0;
   *cost = (TbBuildCost){
-    .tuning = tuning_seconds(def, TABOR_HEAD_BATTER, &def->batter, tuned.batter.tension) +
-              (tb_is_two_headed(def)
-                 ? tuning_seconds(def, TABOR_HEAD_RESONANT, &def->resonant, tuned.resonant.tension)
-                 : 0.0),
-    .heads = head_seconds(def, &s),
+    .tuning = body.resolve,
+    .heads = body.prepare,
     .grid = grid_seconds(&s),
     .contacts = contact_seconds(&s),
     .high_band = high_band_seconds(def, &s),

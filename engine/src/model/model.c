@@ -4,7 +4,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "bodies/drum/tuning.h"
 #include "definition/def_text.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
@@ -541,7 +540,7 @@ static TaborStatus tune_and_build(TaborModel *model, const TaborModelOptions *op
                                      &options->allocator, &cost, error);
   if (status != TABOR_OK) return status;
   begin_stage(model->arena.watch, cost.tuning / tb_build_seconds(&cost));
-  status = tb_tune(&model->def, &model->arena, error);
+  status = tb_body_kind(&model->def)->resolve(&model->def, &model->arena, error);
   if (status != TABOR_OK) return status;
   const TbLevel level = start(model, options);
   tb_arena_beside(&scratch, &model->arena);

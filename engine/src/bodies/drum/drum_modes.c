@@ -4,7 +4,9 @@
 #include <math.h>
 
 #include "bodies/drum/closed_drum_modes.h"
+#include "bodies/drum/drum_cost.h"
 #include "bodies/drum/single_head.h"
+#include "bodies/drum/tuning.h"
 #include "bodies/sheet_waves.h"
 
 static const double PI = 3.14159265358979323846;
@@ -66,12 +68,17 @@ static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scr
                               room);
 }
 
+static void sheets(const TaborDrumDef *def, TaborHeadDef sheet[TB_HEADS]) {
+  sheet[0] = def->batter;
+  sheet[1] = def->resonant;
+}
+
 static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                            TbBodyLimits limits) {
   *body = (TbBody){.surfaces = tb_is_two_headed(def) ? 2 : 1,
                    .most_modes = limits.modes,
-                   .radius = def->shell.radius,
-                   .sheet = {def->batter, def->resonant}};
+                   .radius = def->shell.radius};
+  sheets(def, body->sheet);
   const double basis_top = tb_drum_basis(def, bandwidth, limits, &body->bandwidth);
   const bool outside = tb_has_cavity(def) && def->air.density > 0.0;
   TbArena scratch;
@@ -89,4 +96,9 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
   return status;
 }
 
-const TbBodyKind tb_body_drum = {.basis = tb_drum_basis, .prepare = prepare};
+const TbBodyKind tb_body_drum = {.resolve = tb_tune,
+                                 .resolve_roughly = tb_tune_roughly,
+                                 .sheets = sheets,
+                                 .cost = tb_drum_cost,
+                                 .basis = tb_drum_basis,
+                                 .prepare = prepare};

@@ -17,7 +17,7 @@
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
 
 static const char *part_word(TaborModePart part) {
-  static const char *const words[] = {"batter", "resonant", "both", "cavity", "rim"};
+  static const char *const words[] = {"batter", "resonant", "both", "cavity", "rim", "plate"};
   return words[part];
 }
 
@@ -25,17 +25,17 @@ static const char *phase_word(int phase) { return phase > 0 ? "in" : "out"; }
 
 /* The pitches of a drum's heads [Hz]. */
 typedef struct Pitches {
-  uint32_t heads; /* 1 or 2: batter, resonant */
+  uint32_t heads; /* 0 of a plate, 1 or 2: batter, resonant */
   double pitch[2];
 } Pitches;
 
 static Outcome find_pitches(const TaborDrumDef *def, Pitches *pitches) {
   TaborError error;
-  pitches->heads = def->two_headed ? 2 : 1;
-  for (uint32_t head = 0; head < pitches->heads; head++) {
-    if (tabor_drum_def_pitch(def, head, &pitches->pitch[head], &error) != TABOR_OK) {
-      return report_engine_error(&error);
-    }
+  for (pitches->heads = 0; pitches->heads < 2; pitches->heads++) {
+    double *const pitch = &pitches->pitch[pitches->heads];
+    const TaborStatus status = tabor_drum_def_pitch(def, pitches->heads, pitch, &error);
+    if (status == TABOR_ERROR_NAME) break; /* there is no such head */
+    if (status != TABOR_OK) return report_engine_error(&error);
   }
   return OUTCOME_OK;
 }
@@ -50,6 +50,7 @@ static void write_note(double frequency, char *text, size_t size) {
 }
 
 static void print_pitches(const Pitches *pitches) {
+  if (pitches->heads == 0) return;
   printf("\nat a lug%s:", pitches->heads == 2 ? ", the other head held" : "");
   for (uint32_t head = 0; head < pitches->heads; head++) {
     char note[32];

@@ -171,6 +171,36 @@ typedef enum TaborTechnique {
   TABOR_TECHNIQUE_PLUCK
 } TaborTechnique;
 
+/** What sounds. */
+typedef enum TaborBodyKind {
+  TABOR_BODY_DRUM, /**< a head or two on a shell, as [shell], [batter] and [resonant] say */
+  TABOR_BODY_PLATE /**< a flat round plate with a free edge, held in its middle */
+} TaborBodyKind;
+
+/** The body. */
+typedef struct TaborBodyDef {
+  uint32_t kind; /**< a TaborBodyKind, default drum */
+} TaborBodyDef;
+
+/**
+ * A plate, of uniform thickness; its radius is that of [shell]. Of [batter] it has the damper and the ring. It has no wires,
+ * no resonant head and no hoop: strokes on the hoop meet the plate. A thin plate, linear [Leissa1969]:
+ * D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 - nu^2)).
+ * The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what it radiates. Air is on both
+ * sides.
+ */
+typedef struct TaborPlateDef {
+  double thickness;       /**< h [m], 1e-4 to 0.02, default 0.001 */
+  double youngs_modulus;  /**< E [Pa], 1e8 to 1e12, default 1.05e11 (bronze) */
+  double poisson_ratio;   /**< nu, 0 to 0.49, default 0.34 */
+  double density;         /**< rho [kg/m3], 100 to 30000, default 8650 */
+  double damping_0;       /**< [1/s], 0 to 1000, default 0.5 */
+  double loss;            /**< loss factor of its bending, 0 to 1, default 1e-4 */
+  double heave_frequency; /**< at which it bounces on its mount [Hz], 5 to 200, default 50 */
+  double tilt_frequency;  /**< at which it swings on its mount [Hz], 0.5 to 50, default 1.6 */
+  double mount_damping; /**< of both motions, as a part of critical damping, 0 to 2, default 0.15 */
+} TaborPlateDef;
+
 /** The shell, which holds the heads. */
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
@@ -475,6 +505,8 @@ typedef struct TaborDrumDef {
   double full_scale; /**< sound pressure that gives the sample 1.0 [Pa], 1e-3 to 1e5, default 20 */
   TaborHoopDef hoop; /**< [hoop] */
   TaborRoomDef room; /**< [room] */
+  TaborBodyDef body; /**< [body] */
+  TaborPlateDef plate; /**< [plate]; without effect and keys unless body.kind is plate */
 } TaborDrumDef;
 
 /** Type of a parameter's value. */
@@ -594,7 +626,7 @@ TABOR_API TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborErro
  * tabor_model_create() does. On an error @p def is unchanged: those of tabor_drum_def_validate(),
  * TABOR_ERROR_RANGE if no tension of the allowed range gives the pitch (minimum and maximum of @p error are then
  * those of the pitches that the head can have), TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. Takes some
- * hundredths of a second if there is a pitch.
+ * hundredths of a second if there is a pitch. A plate has no heads, and stays as it is.
  */
 TABOR_API TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error);
 /**
@@ -776,13 +808,15 @@ typedef enum TaborModePart {
   TABOR_PART_RESONANT, /**< the resonant head, with over 90 % of the heads' energy */
   TABOR_PART_BOTH,     /**< both heads */
   TABOR_PART_CAVITY,   /**< the air between them, with over half of all kinetic energy */
-  TABOR_PART_RIM       /**< hoop and shell, with over half of all kinetic energy */
+  TABOR_PART_RIM,      /**< hoop and shell, with over half of all kinetic energy */
+  TABOR_PART_PLATE     /**< a plate */
 } TaborModePart;
 
 /** One mode of the heads with their air, hoop and shell. */
 typedef struct TaborModeInfo {
-  uint32_t m;            /**< nodal diameters of the Bessel function that moves most */
-  uint32_t n;            /**< its nodal circles counting the rim, from 1 */
+  uint32_t m; /**< nodal diameters of the Bessel function that moves most */
+  uint32_t
+    n; /**< its nodal circles counting the rim, from 1; a plate has none at its edge: from 0 */
   double frequency;      /**< [Hz] */
   double decay_rate;     /**< of the amplitude [1/s] */
   double radiation_rate; /**< the part of decay_rate that is due to radiated sound [1/s] */

@@ -67,18 +67,16 @@ static TaborStatus build_orders(TbBody *body, TbArena *arena, const TbBesselTabl
   return TABOR_OK;
 }
 
-TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top,
+TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top, uint32_t orders,
                                  TbBuildOrder *build, const void *context) {
-  const uint32_t most_orders = (uint32_t)basis_top + 1u;
-  body->orders = tb_arena_take(arena, most_orders, sizeof *body->orders);
+  body->orders = tb_arena_take(arena, orders, sizeof *body->orders);
   body->modes = tb_arena_take(arena, body->most_modes, sizeof *body->modes);
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
   TbBesselTable table;
   TaborStatus status = TABOR_ERROR_MEMORY;
-  if (tb_bessel_table_prepare(&table, &scratch, most_orders, AIR_REACH * basis_top) &&
-      !arena->failed) {
-    status = build_orders(body, arena, &table, basis_top, most_orders, build, context);
+  if (tb_bessel_table_prepare(&table, &scratch, orders, AIR_REACH * basis_top) && !arena->failed) {
+    status = build_orders(body, arena, &table, basis_top, orders, build, context);
   }
   tb_arena_release(&scratch);
   if (status == TABOR_OK) sort_modes(body);

@@ -63,8 +63,10 @@ typedef struct TbBody {
   uint32_t order_count, row_count, zero_count;
   TbBodyOrder *orders;
   TbBodyMode *modes;
-  double radius;                /* [m] */
-  double bandwidth;             /* of the modes kept [Hz] */
+  double radius;    /* [m] */
+  double bandwidth; /* of the modes kept [Hz] */
+  bool
+    free_edge; /* the edge is the surface's own, without a hoop; else what lies on a surface moves with the edge */
   TaborHeadDef sheet[TB_HEADS]; /* of each surface: its mass, stiffness, losses, unevenness */
 } TbBody;
 
@@ -93,6 +95,7 @@ typedef struct TbBodyKind {
    * Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
   TaborStatus (*prepare)(TbBody *body, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                          TbBodyLimits limits);
+  bool all_two_way; /* every mode that is heard acts back on contacts; there is no high band */
 } TbBodyKind;
 
 /* Appends the modes of `order`, at most `room`, to `modes`; the basis and the table are those of
@@ -101,9 +104,9 @@ typedef TaborStatus TbBuildOrder(const void *context, TbArena *arena, TbArena *s
                                  const TbAirOrder *air, TbBodyOrder *order, TbBodyMode *modes,
                                  uint32_t room);
 
-/* Builds the orders one by one, with Bessel functions whose zeros end at `basis_top`, and sorts the modes.
+/* Builds the first `orders` orders one by one, as long as they have Bessel functions with zeros up to `basis_top`, and sorts the modes.
  * body->most_modes is set. */
-TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top,
+TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top, uint32_t orders,
                                  TbBuildOrder *build, const void *context);
 
 /* The zero of the Bessel function whose waves have this frequency [Hz] on a sheet in air, at most TB_TOP_ZERO. */

@@ -88,6 +88,7 @@ uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group) {
   const uint32_t capacity = tb_group_capacity(group);
   uint32_t count = capacity;
   if (group == TB_GROUP_RESONANT) count = def->two_headed;
+  if (group == TB_GROUP_PLATE) count = def->body.kind == TABOR_BODY_PLATE;
   if (group == TB_GROUP_STRIKER) count = def->striker_count;
   if (group == TB_GROUP_MIC) count = def->mic_count;
   return count < capacity ? count : capacity;
@@ -172,11 +173,12 @@ static bool consider_field(void *context, const TbParam *param, uint32_t element
   return true;
 }
 
-/* Keys that would give a one-headed drum its second head. */
-static void consider_resonant(Search *search) {
-  if (tb_group_count(search->def, TB_GROUP_RESONANT) > 0) return;
+/* Keys that would give a definition what it has not got: a second head, a plate. */
+static void consider_absent(Search *search) {
   for (uint32_t i = 0; i < tb_param_count; i++) {
-    if (tb_params[i].group == TB_GROUP_RESONANT) (void)consider_field(search, &tb_params[i], 0);
+    const TbGroup group = tb_params[i].group;
+    const bool absent = !tb_group_is_array(group) && tb_group_count(search->def, group) == 0;
+    if (absent) (void)consider_field(search, &tb_params[i], 0);
   }
 }
 
@@ -200,7 +202,7 @@ void tb_def_key_nearest(const TaborDrumDef *def, const char *text, char nearest[
   nearest[0] = '\0';
   (void)tb_walk(def, consider_field, &search);
   if (search.bare) return;
-  consider_resonant(&search);
+  consider_absent(&search);
   consider_new_names(&search);
 }
 

@@ -28,6 +28,10 @@ static uint32_t add_element(TaborDrumDef *def, TbGroup group, const char *name) 
     set_defaults(def, group, 0);
     return 0;
   }
+  if (group == TB_GROUP_PLATE) {
+    def->body.kind = TABOR_BODY_PLATE;
+    return 0;
+  }
   const bool is_mic = group == TB_GROUP_MIC;
   uint32_t *const count = is_mic ? &def->mic_count : &def->striker_count;
   const uint32_t element = (*count)++;
@@ -44,6 +48,7 @@ void tabor_drum_def_clear(TaborDrumDef *def) {
   def->struct_size = (uint32_t)sizeof *def;
   set_defaults(def, TB_GROUP_SINGLE, 0);
   set_defaults(def, TB_GROUP_RESONANT, 0); /* for who sets two_headed by hand */
+  set_defaults(def, TB_GROUP_PLATE, 0);
   for (uint32_t i = 0; i < TABOR_MAX_WIRES; i++) set_defaults(def, TB_GROUP_WIRE, i);
 }
 
@@ -117,7 +122,7 @@ static TaborStatus parse_section(const char *text, TbKey *key, TaborError *error
 static uint32_t find_element(const TaborDrumDef *def, const TbKey *key, bool *is_new) {
   *is_new = false;
   const TbGroup group = key->param->group;
-  if (group == TB_GROUP_RESONANT) *is_new = tb_group_count(def, group) == 0;
+  if (!tb_group_is_array(group)) *is_new = tb_group_count(def, group) == 0;
   if (group != TB_GROUP_STRIKER && group != TB_GROUP_MIC) return key->wire;
   const int found = tb_element_find(def, group, key->name);
   *is_new = found < 0;
@@ -212,11 +217,12 @@ TaborStatus tb_refuse_name(const TaborDrumDef *def, bool is_mic, const char *key
 static TaborStatus refuse_absent(const TaborDrumDef *def, const TbKey *parsed, const char *key,
                                  TaborError *error) {
   const TbGroup group = parsed->param->group;
-  if (group != TB_GROUP_RESONANT) {
+  if (tb_group_is_array(group)) {
     return tb_refuse_name(def, group == TB_GROUP_MIC, key, parsed->name, error);
   }
-  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN,
-                      "%s: the drum has no resonant head", key);
+  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN, "%s: %s", key,
+                      group == TB_GROUP_PLATE ? "body.kind is not plate"
+                                              : "the drum has no resonant head");
 }
 
 TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *text, size_t size,

@@ -24,6 +24,7 @@
 #define IN_RESONANT(member)                                                                        \
   .group = TB_GROUP_RESONANT,                                                                      \
   .offset = offsetof(TaborDrumDef, resonant) + offsetof(TaborHeadDef, member)
+#define IN_PLATE(member) .group = TB_GROUP_PLATE, .offset = offsetof(TaborDrumDef, plate.member)
 #define IN_BATTER(member) AT(batter.member)
 #define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
 #define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
@@ -124,7 +125,39 @@ const TbParam tb_params[] = {
        TEXT),
    SIZED(category), .identifier = true},
 
-  {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads",
+  {ROW(TB_PARAM_BODY_KIND, "body", "kind", "", "what sounds; plate: a flat disc with a free edge",
+       CHOICE("drum|plate", TABOR_BODY_DRUM)),
+   AT(body.kind)},
+  {ROW(TB_PARAM_PLATE_THICKNESS, "plate", "thickness", "m", "thickness of a plate",
+       NUMBER(1e-4, 0.02, 1e-3), LOGARITHMIC),
+   IN_PLATE(thickness)},
+  {ROW(TB_PARAM_PLATE_YOUNGS_MODULUS, "plate", "youngs_modulus", "Pa",
+       "Young's modulus of a plate: bronze 1.05e11, steel 2e11", NUMBER(1e8, 1e12, 1.05e11),
+       LOGARITHMIC),
+   IN_PLATE(youngs_modulus)},
+  {ROW(TB_PARAM_PLATE_POISSON_RATIO, "plate", "poisson_ratio", "", "Poisson's ratio of a plate",
+       NUMBER(0, 0.49, 0.34)),
+   IN_PLATE(poisson_ratio)},
+  {ROW(TB_PARAM_PLATE_DENSITY, "plate", "density", "kg/m3", "density of a plate",
+       NUMBER(100, 30000, 8650), LOGARITHMIC),
+   IN_PLATE(density)},
+  {ROW(TB_PARAM_PLATE_DAMPING_0, "plate", "damping_0", "1/s",
+       "loss of a plate, the same at all frequencies", NUMBER(0, 1000, 0.5)),
+   IN_PLATE(damping_0)},
+  {ROW(TB_PARAM_PLATE_LOSS, "plate", "loss", "", "loss factor of a plate's bending",
+       NUMBER(0, 1, 1e-4)),
+   IN_PLATE(loss)},
+  {ROW(TB_PARAM_PLATE_HEAVE_FREQUENCY, "plate", "heave_frequency", "Hz",
+       "frequency at which a plate bounces on its mount", NUMBER(5, 200, 50), LOGARITHMIC),
+   IN_PLATE(heave_frequency)},
+  {ROW(TB_PARAM_PLATE_TILT_FREQUENCY, "plate", "tilt_frequency", "Hz",
+       "frequency at which a plate swings on its mount", NUMBER(0.5, 50, 1.6), LOGARITHMIC),
+   IN_PLATE(tilt_frequency)},
+  {ROW(TB_PARAM_PLATE_MOUNT_DAMPING, "plate", "mount_damping", "",
+       "of both motions, as a part of critical damping", NUMBER(0, 2, 0.15)),
+   IN_PLATE(mount_damping)},
+
+  {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads, or of a plate",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),
    AT(shell.radius)},
   {ROW(TB_PARAM_SHELL_DEPTH, "shell", "depth", "m",
@@ -464,14 +497,13 @@ uint32_t tb_group_capacity(TbGroup group) {
   case TB_GROUP_STRIKER: return TABOR_MAX_STRIKERS;
   case TB_GROUP_MIC: return TABOR_MAX_MICS;
   case TB_GROUP_SINGLE:
-  case TB_GROUP_RESONANT: break;
+  case TB_GROUP_RESONANT:
+  case TB_GROUP_PLATE: break;
   }
   return 1;
 }
 
-bool tb_group_is_array(TbGroup group) {
-  return group != TB_GROUP_SINGLE && group != TB_GROUP_RESONANT;
-}
+bool tb_group_is_array(TbGroup group) { return tb_group_capacity(group) > 1; }
 
 void *tb_param_field(const TbParam *param, TaborDrumDef *def, uint32_t element) {
   return (unsigned char *)def + param->offset + element * param->stride;

@@ -47,6 +47,17 @@ typedef enum TbParamId {
   TB_PARAM_DRUM_LICENSE = 102,
   TB_PARAM_DRUM_CATEGORY = 103,
 
+  TB_PARAM_BODY_KIND = 150,
+  TB_PARAM_PLATE_THICKNESS = 151,
+  TB_PARAM_PLATE_YOUNGS_MODULUS = 152,
+  TB_PARAM_PLATE_POISSON_RATIO = 153,
+  TB_PARAM_PLATE_DENSITY = 154,
+  TB_PARAM_PLATE_DAMPING_0 = 155,
+  TB_PARAM_PLATE_LOSS = 156,
+  TB_PARAM_PLATE_HEAVE_FREQUENCY = 157,
+  TB_PARAM_PLATE_TILT_FREQUENCY = 158,
+  TB_PARAM_PLATE_MOUNT_DAMPING = 159,
+
   TB_PARAM_SHELL_RADIUS = 200,
   TB_PARAM_SHELL_DEPTH = 201,
   TB_PARAM_SHELL_BOUNDARY = 202,
@@ -161,11 +172,12 @@ typedef enum TbParamId {
   TB_PARAM_ROOM_LEVEL = 1504
 } TbParamId;
 
-/** Structure of a row's section: one struct; one struct that may be absent; or an array of elements
+/** Structure of a row's section: one struct; one struct that may be absent (resonant, plate); or an array of elements
  * with a number or a name. */
 typedef enum TbGroup {
   TB_GROUP_SINGLE,
   TB_GROUP_RESONANT,
+  TB_GROUP_PLATE,
   TB_GROUP_WIRE,
   TB_GROUP_STRIKER,
   TB_GROUP_MIC

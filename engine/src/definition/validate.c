@@ -144,6 +144,24 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }
 
+/* What a plate has not got. */
+static TaborStatus check_plate(const TaborDrumDef *def, TaborError *error) {
+  if (def->body.kind != TABOR_BODY_PLATE) return TABOR_OK;
+  if (def->two_headed == 1) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "resonant", NULL, NAN, NAN,
+                        "body.kind = plate: a plate has no resonant head");
+  }
+  if (def->shell.boundary != TABOR_BOUNDARY_OPEN) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "shell.boundary", NULL, NAN, NAN,
+                        "body.kind = plate: shell.boundary has to be open");
+  }
+  if (def->wires.count == 0) return TABOR_OK;
+  char value[TB_NUMBER_SIZE];
+  tb_number_print(def->wires.count, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, "wires.count", value, 0, 0,
+                      "wires.count = %s: a plate has no wires, so it has to be 0", value);
+}
+
 static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
   if (!(def->strike.radius <= def->shell.radius)) { /* at the rim a stroke meets what cannot move */
     char value[TB_NUMBER_SIZE];
@@ -206,6 +224,7 @@ TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error) 
   TaborStatus status = tb_check_struct(def, error);
   if (status == TABOR_OK) status = check_fields(def, error);
   if (status == TABOR_OK) status = check_heads(def, error);
+  if (status == TABOR_OK) status = check_plate(def, error);
   if (status == TABOR_OK) status = check_strike(def, error);
   for (uint32_t i = 0; status == TABOR_OK && i < def->wires.count; i++) {
     status = check_wire(def, i, error);

@@ -58,7 +58,9 @@ static double *radial_table(TbViewTables *view, uint32_t which) {
   double *radial = tb_arena_doubles(&view->arena, body->row_count);
   if (view->arena.failed) return NULL;
   for (uint32_t i = 0; i < radii; i++) {
-    tb_body_radial(body, which, body->radius * i / (radii - 1), NULL, radial);
+    const double r = body->radius * i / (radii - 1);
+    tb_body_radial(body, which, r, NULL, radial);
+    if (body->free_edge) tb_body_add_lift(body, r, radial);
     for (uint32_t row = 0; row < body->row_count; row++) table[row * radii + i] = radial[row];
   }
   return table;

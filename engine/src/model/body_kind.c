@@ -2,8 +2,12 @@
 #include "model/body_kind.h"
 
 #include "bodies/drum/drum_modes.h"
+#include "bodies/plate/plate_modes.h"
 
 const TbBodyKind *tb_body_kind(const TaborDrumDef *def) {
-  (void)def;
-  return &tb_body_drum;
+  static const TbBodyKind *const KINDS[] = {
+    [TABOR_BODY_DRUM] = &tb_body_drum,
+    [TABOR_BODY_PLATE] = &tb_body_plate,
+  };
+  return KINDS[def->body.kind];
 }

@@ -50,6 +50,7 @@ static void weigh_head(const TaborModel *model, double *weight) {
       for (uint32_t z = 0; z < order->zero_count; z++) {
         area += v[z] * tb_bessel_j(1, order->zeros[z]) / order->zeros[z];
       }
+      if (model->body.free_edge) area += 0.5 * order->edge[mode->place];
       weight[i] += load * 2.0 * PI * radius * radius * area;
     }
   }

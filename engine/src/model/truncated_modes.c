@@ -11,7 +11,7 @@
 static const double PI = 3.14159265358979323846;
 
 /* Cells share the band up to where the patch first feels nothing, J1(K a) = 0, but half an octave and more,
- * and no more than this part of the rate; the last one takes all above. No oscillator is faster than FASTEST
+ * and no more than this part of the rate; the last one takes all above, and is the only one where modes go up to there. No oscillator is faster than FASTEST
  * times the rate. */
 static const double FIRST_ZERO = 3.8317059702075123, LEAST_RATIO = 1.5;
 static const double TOP_OF_RATE = 0.3, FASTEST = 0.35;
@@ -84,7 +84,7 @@ void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TbSheetInAir *
   if (patch_radius <= 0.0) return;
   const double bottom = 2.0 * PI * bandwidth;
   const double silent = fmax(LEAST_RATIO * bottom, omega_at(s, FIRST_ZERO / patch_radius));
-  const double top = fmin(silent, 2.0 * PI * TOP_OF_RATE / time_step);
+  const double top = fmax(bottom, fmin(silent, 2.0 * PI * TOP_OF_RATE / time_step));
   const double ratio = tb_exp(tb_log(top / bottom) / (TB_TRUNCATED - 1u));
   double lower = bottom;
   for (uint32_t i = 0; i < TB_TRUNCATED; i++) {
@@ -94,8 +94,8 @@ void tb_truncated_modes_prepare(TbTruncatedModes *mobility, const TbSheetInAir *
     tb_truncated_modes_between(s, patch_radius, wavenumber_at(s, lower),
                                last ? INFINITY : wavenumber_at(s, upper), &compliance,
                                &inverse_mass);
-    add_cell(mobility, i, compliance, inverse_mass, s->losses ? 0.5 * (upper - lower) : 0.0,
-             time_step);
+    add_cell(mobility, i, compliance, inverse_mass,
+             s->losses ? 0.5 * (top > bottom ? upper - lower : lower) : 0.0, time_step);
     lower = upper;
   }
 }

@@ -75,19 +75,23 @@ static bool strike_head(TbView *view, const TbStroke *stroke) {
   return true;
 }
 
-static bool on_hoop(const TbStroke *stroke) {
+/* A plate has no hoop: such strokes meet the plate. */
+static bool on_hoop(const TbView *view, const TbStroke *stroke) {
+  if (view->model->body.free_edge) return false;
   return stroke->technique == TABOR_TECHNIQUE_RIMSHOT ||
          stroke->technique == TABOR_TECHNIQUE_CROSS_STICK ||
          stroke->technique == TABOR_TECHNIQUE_RIM;
 }
 
 bool tb_strike(TbView *view, const TbStroke *stroke) {
-  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH && !on_hoop(stroke)) {
+  if (view->model->def.striker[stroke->striker].kind == TABOR_STRIKER_BRUSH &&
+      !on_hoop(view, stroke)) {
     return tb_brush_strike(view, stroke);
   }
   if (stroke->technique == TABOR_TECHNIQUE_SWEEP) return false;
   free_hand(view, stroke->id);
-  if (!(on_hoop(stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke))) return false;
+  if (!(on_hoop(view, stroke) ? tb_rimstroke(view, stroke) : strike_head(view, stroke)))
+    return false;
   view->state->ledger.statistics.strikes++;
   return true;
 }

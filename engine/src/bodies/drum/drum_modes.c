@@ -90,7 +90,8 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
   tb_arena_beside(&scratch, arena);
   TaborStatus status = TABOR_ERROR_MEMORY;
   if (!outside || tb_closed_drum_shell(def, &scratch, &shell)) {
-    status = tb_body_build_orders(body, arena, basis_top, build_order, &shared);
+    status =
+      tb_body_build_orders(body, arena, basis_top, (uint32_t)basis_top + 1u, build_order, &shared);
   }
   tb_arena_release(&scratch);
   return status;

@@ -6,6 +6,7 @@
 #include "bodies/drum/cavity_eigen.h"
 #include "bodies/drum/rim_radiation.h"
 #include "bodies/felt_ring.h"
+#include "bodies/loaded_mode.h"
 #include "bodies/sheet_waves.h"
 #include "math/eigen.h"
 
@@ -20,27 +21,6 @@ typedef struct OrderWork {
   bool lossless;
 } OrderWork;
 
-/* The air's mass at low frequency, at the beginning of a matrix [size][size]. */
-static bool add_air(const OrderWork *work, TbArena *scratch, const TbAirOrder *air, uint32_t size,
-                    double *matrix) {
-  const TaborDrumDef *def = work->def;
-  const uint32_t n = air->count;
-  const double radius = def->shell.radius;
-  double both_sides = def->air.density * radius * radius * radius * work->azimuth;
-  double *mass = tb_arena_doubles(scratch, (size_t)n * n);
-  if (scratch->failed) return false;
-  if (def->shell.boundary == TABOR_BOUNDARY_OPEN) {
-    tb_air_mass_open(air, mass);
-  } else {
-    if (!tb_air_mass_baffled(air, scratch, mass)) return false;
-    both_sides *= 2.0;
-  }
-  for (uint32_t i = 0; i < n; i++) {
-    for (uint32_t k = 0; k < n; k++) matrix[(size_t)i * size + k] = both_sides * mass[i * n + k];
-  }
-  return true;
-}
-
 /* Normal modes at low frequency: vectors by rows, unit modal mass, with the rim's lift (rim.h);
  * eigenvalues omega^2. */
 static TaborStatus solve_order(const OrderWork *work, TbArena *scratch, const TbAirOrder *air,
@@ -52,7 +32,8 @@ static TaborStatus solve_order(const OrderWork *work, TbArena *scratch, const Tb
   double *stiffness = tb_arena_doubles(scratch, (size_t)size * size);
   double *own = tb_arena_doubles(scratch, n);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
-  if (def->air.density > 0.0 && !add_air(work, scratch, air, size, mass)) return TABOR_ERROR_MEMORY;
+  if (def->air.density > 0.0 && !tb_load_matrix(def, scratch, air, size, mass))
+    return TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < n; i++) {
     const double norm = work->azimuth * radius * radius * 0.5 * air->slopes[i] * air->slopes[i];
     own[i] = norm * tb_sheet_stiffness(&def->batter, air->zeros[i] / radius);
@@ -80,16 +61,11 @@ static void scale(double *v, uint32_t n, double factor) {
   for (uint32_t i = 0; i < n; i++) v[i] *= factor;
 }
 
-/* A mode's mass without the air, its stiffness, and its loss v^T C v. */
-typedef struct Own {
-  double mass, stiffness, loss;
-} Own;
-
-static Own own_parts(const OrderWork *work, const TbAirOrder *air, const double *v) {
+static TbOwnParts own_parts(const OrderWork *work, const TbAirOrder *air, const double *v) {
   const TaborHeadDef *batter = &work->def->batter;
   const double radius = work->def->shell.radius;
   const TbRimMotion rim = tb_rim_motion(work->rim, v + air->count);
-  Own own = {.mass = 0.0};
+  TbOwnParts own = {.mass = 0.0};
   for (uint32_t i = 0; i < air->count; i++) {
     const double wavenumber = air->zeros[i] / radius;
     const double bent = v[i] - rim.edge * tb_rim_lift(air, 0, i);
@@ -113,36 +89,15 @@ static Own own_parts(const OrderWork *work, const TbAirOrder *air, const double 
 static bool finish_mode(const OrderWork *work, TbArena *scratch, const TbAirOrder *air,
                         double omega2, double *v, TbBodyMode *mode) {
   const TaborDrumDef *def = work->def;
-  const double radius = def->shell.radius;
-  const Own own = own_parts(work, air, v);
+  const TbOwnParts own = own_parts(work, air, v);
   mode->omega = sqrt(omega2);
-  double total = own.mass, resistance = 0.0;
-  if (def->air.density > 0.0) {
-    TbAirPoint points[TABOR_MAX_MICS];
-    for (uint32_t p = 0; p < def->mic_count; p++) {
-      points[p] = (TbAirPoint){def->mic[p].radius / radius, def->mic[p].height / radius};
-    }
-    const double unit = work->azimuth * def->air.density * radius * radius;
-    const TaborBoundary boundary = (TaborBoundary)def->shell.boundary;
-    double x = mode->omega * radius / def->air.sound_speed;
-    /* The mass of the lowest modes changes most: they get a second pass, and all digits. */
-    const bool exact = x < 3.0;
-    for (int pass = exact ? 0 : 1; pass < 2; pass++) {
-      TbAirLoad load;
-      x = mode->omega * radius / def->air.sound_speed;
-      if (!tb_air_load(air, scratch, boundary, exact && pass == 1, v, x, points,
-                       pass == 1 ? def->mic_count : 0, &load, mode->fields)) {
-        return false;
-      }
-      total = own.mass + unit * radius * load.mass;
-      resistance = unit * def->air.sound_speed * load.resistance;
-      mode->omega = sqrt(own.stiffness / total);
-    }
-  }
+  TbAirParts load;
+  if (!tb_load_mode(def, scratch, air, &own, v, mode, &load)) return false;
+  const double total = own.mass + load.mass;
   scale(v, air->count + work->rim->count, 1.0 / sqrt(total));
   scale(mode->fields, 2 * TABOR_MAX_MICS, 1.0 / sqrt(total));
   const TbRimMotion rim = tb_rim_motion(work->rim, v + air->count);
-  mode->radiation_rate = 0.5 * fmax(0.0, resistance) / total;
+  mode->radiation_rate = 0.5 * fmax(0.0, load.resistance) / total;
   tb_rim_radiate(work->rim, def, rim, mode);
   if (work->lossless) {
     mode->radiation_rate = 0.0;

@@ -99,17 +99,19 @@ static TbArena plain_arena(void) {
   return arena;
 }
 
+static bool has_heads(const TaborDrumDef *def) { return def->body.kind == TABOR_BODY_DRUM; }
+
 TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error) {
   const TbArena arena = plain_arena();
   TaborStatus status = tabor_drum_def_validate(def, error);
-  if (status == TABOR_OK) status = tb_tune(def, &arena, error);
+  if (status == TABOR_OK && has_heads(def)) status = tb_tune(def, &arena, error);
   return status == TABOR_OK ? tb_error_clear(error) : status;
 }
 
 static TaborStatus check_head(const TaborDrumDef *def, uint32_t head, TaborError *error) {
   const bool has_it =
     head == TABOR_HEAD_BATTER || (head == TABOR_HEAD_RESONANT && tb_is_two_headed(def));
-  if (has_it) return TABOR_OK;
+  if (has_it && has_heads(def)) return TABOR_OK;
   return tb_error_set(error, TABOR_ERROR_NAME, NULL, NULL, NAN, NAN, "the drum has no %s",
                       head == TABOR_HEAD_RESONANT ? "resonant head" : "such head");
 }

@@ -3,9 +3,9 @@
  * @file jack_drum.c
  * A drum as a JACK client, played by MIDI: jack_drum [PRESET]
  *
- * Every note-on strikes, at its own frame: the note's velocity is the stick's speed. There is a port
- * out_NAME for each microphone. SIGINT or SIGTERM ends it. What it shows: set-up before the audio
- * thread runs, events with frames, and an audio thread that calls one function.
+ * Every note-on strikes, at its own frame: the note's velocity is the stick's speed. There is a
+ * port out_NAME for each microphone. SIGINT or SIGTERM ends it. What it shows: set-up before the
+ * audio thread runs, events with frames, and an audio thread that calls one function.
  */
 #include <jack/jack.h>
 #include <jack/midiport.h>

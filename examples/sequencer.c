@@ -49,7 +49,8 @@ static void print_strokes(const TaborEvent *strokes, uint32_t count) {
   }
 }
 
-/* Plays the strokes to the first microphone. The events of a block count their frames from its start. */
+/* Plays the strokes to the first microphone. The events of a block count their frames from its
+ * start. */
 static void play(TaborDrum *drum, TaborEvent *strokes, uint32_t count, float *sound) {
   uint32_t next = 0;
   for (uint32_t start = 0; start < FRAMES; start += BLOCK) {

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the time of a sample goes: plays a preset as `tabor bench` does and prints, as one JSON object, the
- * time and the memory of every stage, the times of blocks, of building the model, and of several drums on one
- * model. Part of a profiling build alone (profile.h); the timers run for the stages only. */
+/* Where the time of a sample goes: plays a preset as `tabor bench` does and prints, as one JSON
+ * object, the time and the memory of every stage, the times of blocks, of building the model, and
+ * of several drums on one model. Part of a profiling build alone (profile.h); the timers run for
+ * the stages only. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -93,7 +94,8 @@ static void play_block(const Request *request, TaborDrum *const *drums, uint32_t
   }
 }
 
-/* Processor time of a whole play [s]; blocks[] keeps the smallest time of each block, if it is not NULL. */
+/* Processor time of a whole play [s]; blocks[] keeps the smallest time of each block, if it is not
+ * NULL. */
 static double play(const Request *request, TaborDrum *const *drums, uint32_t count,
                    double *blocks) {
   const uint32_t frames = frames_of(request);
@@ -125,7 +127,8 @@ typedef struct Touched {
   size_t bytes;
 } Touched;
 
-/* Arrays that a sample reads or writes while all wires touch, with one striker and one microphone. */
+/* Arrays that a sample reads or writes while all wires touch, with one striker and one microphone.
+ */
 typedef struct Memory {
   Touched touched[MOST_ARRAYS];
   uint32_t count;
@@ -251,7 +254,8 @@ static void touch_stretch(Memory *memory) {
   if (memory->model->wires.count) touch_bed(memory, TB_STAGE_STRETCH, false, true);
 }
 
-/* Of a double: a band of single precision touches its rounded arrays in place of those named below. */
+/* Of a double: a band of single precision touches its rounded arrays in place of those named below.
+ */
 static size_t high_part(const TbHighBand *high) { return high->precision == TB_IN_FLOAT ? 2 : 1; }
 
 static void touch_strikers(Memory *memory) {
@@ -288,7 +292,8 @@ static void touch_high(Memory *memory) {
   TOUCH(memory, TB_STAGE_HIGH, (h->begin[w->head + 1] - h->begin[w->head]) / part, v->high.taken);
 }
 
-/* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest. */
+/* Bytes by stage, and in bytes[TB_STAGE_COUNT] those of all: an array counts once, at its largest.
+ */
 static void count_bytes(const Request *request, TaborDrum *drum, size_t *bytes) {
   const TaborEvent event = workload_stroke(&request->def, request->options.sample_rate, 0);
   tabor_drum_reset(drum);
@@ -319,8 +324,8 @@ typedef struct Ticks {
   uint64_t of[TB_STAGE_COUNT];
 } Ticks;
 
-/* The least that each stage took in each block: the counter also runs while others have the processor, but
- * hardly in the same stage of the same block in every repeat. */
+/* The least that each stage took in each block: the counter also runs while others have the
+ * processor, but hardly in the same stage of the same block in every repeat. */
 typedef struct Stages {
   Ticks *blocks;
   uint32_t count;

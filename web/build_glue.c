@@ -71,8 +71,8 @@ static TaborStatus begin_drum(WebInstrument *web, double rate) {
   return TABOR_OK;
 }
 
-/* Once. False with an error, also if a model takes more than is allowed by its estimate (TaborModelOptions), time [s] on a server of
- * 2024 and memory; 0 is no limit. */
+/* Once. False with an error, also if a model takes more than is allowed by its estimate
+ * (TaborModelOptions), time [s] on a server of 2024 and memory; 0 is no limit. */
 EXPORT("instrument_build")
 bool web_instrument_build(WebInstrument *web, uint32_t quality, double rate, double most_seconds,
                           double most_bytes) {

@@ -21,8 +21,8 @@ EXPORT("definition_pitch") double web_definition_pitch(const TaborDrumDef *def, 
   return tabor_drum_def_pitch(def, head, &pitch, NULL) == TABOR_OK ? pitch : 0;
 }
 
-/* The lowest, 0, or highest, 1, pitch that a head can have [Hz], by the tensions that are allowed; 0 if the drum has no such
- * head. */
+/* The lowest, 0, or highest, 1, pitch that a head can have [Hz], by the tensions that are allowed;
+ * 0 if the drum has no such head. */
 EXPORT("definition_pitch_limit")
 double web_definition_pitch_limit(const TaborDrumDef *def, uint32_t head, uint32_t which) {
   const char *const key = head == TABOR_HEAD_BATTER ? "batter.tension" : "resonant.tension";

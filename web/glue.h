@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file glue.h
- * A drum in its room, or a kit, for JavaScript: what the page and the package for npm call of the engine as WebAssembly
- * (docs/web.md), by the same functions for both. A drum alone is number 0 of its instrument.
+ * A drum in its room, or a kit, for JavaScript: what the page and the package for npm call of the
+ * engine as WebAssembly (docs/web.md), by the same functions for both. A drum alone is number 0 of
+ * its instrument.
  *
- * An instrument is first a definition, which instrument_create() takes from a preset or a built-in kit and instrument_set() changes;
- * instrument_build() then makes it sound. In the page a worker does this, and copies its memory to an instance on the audio
- * thread. So all that an instrument consists of lies in memory, and addresses mean the same in both.
+ * An instrument is first a definition, which instrument_create() takes from a preset or a built-in
+ * kit and instrument_set() changes; instrument_build() then makes it sound. In the page a worker
+ * does this, and copies its memory to an instance on the audio thread. So all that an instrument
+ * consists of lies in memory, and addresses mean the same in both.
  *
  * | file | what it exports |
  * |---|---|
@@ -27,7 +29,8 @@
 
 enum { BLOCK = 128, MOST_CHANNELS = DRUM_PLAYER_OUTPUTS };
 
-/* Of a picture: two heads on 16 by 48 places, the heights of 40 wires and the forces on them, and sticks. */
+/* Of a picture: two heads on 16 by 48 places, the heights of 40 wires and the forces on them, and
+ * sticks. */
 enum { PICTURES = 4, WIRE_POINTS = 17, PICTURE_STICKS = 4, STICK_VALUES = 4 };
 enum {
   MOST_PLACES = 2 * 16 * 48,

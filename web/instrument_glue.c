@@ -49,7 +49,8 @@ static TaborStatus load(WebInstrument *web, const char *name) {
   return tabor_drum_def_preset(alone(web), name, &web->error);
 }
 
-/* A preset, or a built-in kit. NULL if there is no memory; any other error is in instrument_error(). */
+/* A preset, or a built-in kit. NULL if there is no memory; any other error is in
+ * instrument_error(). */
 EXPORT("instrument_create")
 WebInstrument *web_instrument_create(const char *name, uint32_t is_kit) {
   WebInstrument *const web = calloc(1, sizeof *web);
@@ -78,8 +79,8 @@ static bool add_channels(WebInstrument *web, int what, uint32_t count) {
   return true;
 }
 
-/* Another microphone of a drum as a channel, in place of the pair; or a drum's part of a kit's mix as two, behind it. False if there
- * is none of the name, or it is a channel already. */
+/* Another microphone of a drum as a channel, in place of the pair; or a drum's part of a kit's mix
+ * as two, behind it. False if there is none of the name, or it is a channel already. */
 EXPORT("instrument_add_output")
 bool web_instrument_add_output(WebInstrument *web, const char *name) {
   if (!web->is_kit) return add_channels(web, tabor_drum_def_find_mic(alone(web), name), 1);
@@ -143,7 +144,8 @@ const TaborDrumDef *web_instrument_definition(const WebInstrument *web, uint32_t
   return web_definition(web, drum);
 }
 
-/* Where a drum stands [m]: 0, to the player's right; 1, away from the player; 2, above the floor. */
+/* Where a drum stands [m]: 0, to the player's right; 1, away from the player; 2, above the floor.
+ */
 EXPORT("instrument_drum_place")
 double web_instrument_drum_place(const WebInstrument *web, uint32_t drum, uint32_t axis) {
   const TaborKitDrumDef *const def = &web->def.drum[drum];

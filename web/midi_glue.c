@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_glue.c
- * MIDI, live and from files. Messages are converted by the program's own map (host/midi), so that JavaScript plays a note as
- * `tabor render --midi-file` does.
+ * MIDI, live and from files. Messages are converted by the program's own map (host/midi), so that
+ * JavaScript plays a note as `tabor render --midi-file` does.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -15,8 +15,8 @@ static MidiMessage message_of(uint32_t status, uint32_t first, uint32_t second) 
   return (MidiMessage){.status = (uint8_t)status, .data = {first & 0x7F, second & 0x7F}};
 }
 
-/* Begins to play MIDI on the instrument as it is defined now, by the default map of docs/midi.md or the kit's notes. False if there
- * is no memory. */
+/* Begins to play MIDI on the instrument as it is defined now, by the default map of docs/midi.md or
+ * the kit's notes. False if there is no memory. */
 EXPORT("instrument_begin_midi") bool web_instrument_begin_midi(WebInstrument *web) {
   MidiBinding binding;
   if (web->is_kit) {
@@ -82,8 +82,9 @@ static WebMidiAction action_of(uint32_t drum, const TaborEvent *what) {
   return action;
 }
 
-/* What a message does, until the next call: a stroke or a move of the strainer, else WEB_MIDI_NOTHING. It does not act on the
- * instrument. A controller that moves several drums' snares moves them alike: the first one tells. */
+/* What a message does, until the next call: a stroke or a move of the strainer, else
+ * WEB_MIDI_NOTHING. It does not act on the instrument. A controller that moves several drums'
+ * snares moves them alike: the first one tells. */
 EXPORT("instrument_take_midi")
 const WebMidiAction *web_instrument_take_midi(WebInstrument *web, uint32_t status, uint32_t first,
                                               uint32_t second) {
@@ -137,7 +138,8 @@ EXPORT("song_warning") const char *web_song_warning(const SongEvents *song, uint
   return song_events_warning(song, index);
 }
 
-/* Makes a file's events of the instrument as it is defined now. False without memory, or with song_error(). */
+/* Makes a file's events of the instrument as it is defined now. False without memory, or with
+ * song_error(). */
 EXPORT("song_compose")
 bool web_song_compose(SongEvents *song, const WebInstrument *web, double rate) {
   return web->is_kit ? song_events_of_kit(song, &web->def, -1, 0, 0, rate)
@@ -155,8 +157,8 @@ EXPORT("song_frame") uint32_t web_song_frame(const SongEvents *song, size_t inde
 
 EXPORT("message_size") uint32_t web_message_size(void) { return sizeof(PlayerMessage); }
 
-/* Writes an event of the song as a message, of message_size() bytes, which JavaScript keeps for instrument_send_message(); it is
- * there until the next call. */
+/* Writes an event of the song as a message, of message_size() bytes, which JavaScript keeps for
+ * instrument_send_message(); it is there until the next call. */
 EXPORT("song_message")
 const PlayerMessage *web_song_message(const SongEvents *song, size_t index, WebInstrument *web) {
   const TaborKitEvent *const event = &song_events_list(song)[index];
@@ -172,7 +174,8 @@ EXPORT("instrument_message") PlayerMessage *web_instrument_message(WebInstrument
   return &web->message;
 }
 
-/* Plays the message that was put there, at a frame of the next block. False if there is no memory. */
+/* Plays the message that was put there, at a frame of the next block. False if there is no memory.
+ */
 EXPORT("instrument_send_message")
 bool web_instrument_send_message(WebInstrument *web, uint32_t frame) {
   return web_add(web, frame, &web->message);

@@ -9,7 +9,8 @@ static uint32_t places(const TaborView *view) { return view->radii * view->angle
 
 static uint32_t points(const TaborView *view) { return view->wire_count * view->wire_points; }
 
-/* Heads, circles, angles, wires, points of a wire; sticks at most, and the numbers of each; which head has the wires. */
+/* Heads, circles, angles, wires, points of a wire; sticks at most, and the numbers of each; which
+ * head has the wires. */
 EXPORT("picture_shape")
 uint32_t web_picture_shape(const WebInstrument *web, uint32_t drum, uint32_t index) {
   const TaborView *const view = web->views[drum];
@@ -19,8 +20,8 @@ uint32_t web_picture_shape(const WebInstrument *web, uint32_t drum, uint32_t ind
   return index < sizeof shape / sizeof *shape ? shape[index] : 0;
 }
 
-/* Numbers of a picture: heights of the heads [m], heights of the wires [m], forces on them [N]; how many sticks, and
- * of each radius [m], angle [deg], height [m] and 1 on the hoop, 0 on the head. */
+/* Numbers of a picture: heights of the heads [m], heights of the wires [m], forces on them [N]; how
+ * many sticks, and of each radius [m], angle [deg], height [m] and 1 on the hoop, 0 on the head. */
 EXPORT("picture_size") uint32_t web_picture_size(const WebInstrument *web, uint32_t drum) {
   const TaborView *const view = web->views[drum];
   return view->heads * places(view) + 2 * points(view) + 1 + PICTURE_STICKS * STICK_VALUES;

@@ -44,8 +44,9 @@ static bool next(void *source, uint64_t end, PlayerMessage *message) {
   return true;
 }
 
-/* A stroke at a frame of the next block, @p radius [m] from the centre. A @p striker below 0 is the drum's own. Messages
- * come in order of their frames. False, as of the functions that follow, if there is no memory. */
+/* A stroke at a frame of the next block, @p radius [m] from the centre. A @p striker below 0 is the
+ * drum's own. Messages come in order of their frames. False, as of the functions that follow, if
+ * there is no memory. */
 EXPORT("instrument_strike")
 bool web_instrument_strike(WebInstrument *web, uint32_t drum, uint32_t frame, double velocity,
                            double radius, double angle, uint32_t technique, int32_t striker) {
@@ -76,7 +77,8 @@ EXPORT("parameter_bound") double web_parameter_bound(uint32_t id, uint32_t which
   return NAN;
 }
 
-/* Moves a live parameter of a drum at a frame of the next block; one of a microphone's has its @p index. */
+/* Moves a live parameter of a drum at a frame of the next block; one of a microphone's has its @p
+ * index. */
 EXPORT("instrument_change")
 bool web_instrument_change(WebInstrument *web, uint32_t drum, uint32_t frame, uint32_t parameter,
                            uint32_t index, double value) {
@@ -117,16 +119,16 @@ static const float *finish(WebInstrument *web) {
   return web->sound[0];
 }
 
-/* The next frames, at most 128, of the first channel; each further channel begins 128 frames after the one before.
- * They stay until the next call. */
+/* The next frames, at most 128, of the first channel; each further channel begins 128 frames after
+ * the one before. They stay until the next call. */
 EXPORT("instrument_play")
 const float *web_instrument_play(WebInstrument *web, uint32_t frames) {
   play(web, 0, frames);
   return finish(web);
 }
 
-/* The next 128 frames in the same way, with four pictures of a drum, one each 32 frames. The sound does not depend on the
- * division. */
+/* The next 128 frames in the same way, with four pictures of a drum, one each 32 frames. The sound
+ * does not depend on the division. */
 EXPORT("instrument_film")
 const float *web_instrument_film(WebInstrument *web, uint32_t drum) {
   enum { FRAMES = BLOCK / PICTURES };
@@ -143,8 +145,8 @@ EXPORT("instrument_ring_out") void web_instrument_ring_out(WebInstrument *web, u
   web->ring_out = ring_out_begin(0, last, web->rate);
 }
 
-/* True once the sound has died away, as `tabor render` has it, or has gone on for long enough. To be asked every RING_OUT_BLOCK
- * frames. */
+/* True once the sound has died away, as `tabor render` has it, or has gone on for long enough. To
+ * be asked every RING_OUT_BLOCK frames. */
 EXPORT("instrument_is_over") bool web_instrument_is_over(WebInstrument *web) {
   return ring_out_is_over(&web->ring_out, &web->player);
 }
@@ -156,7 +158,8 @@ const TaborDrum *web_drum(const WebInstrument *web, uint32_t drum) {
   return drum == 0 ? web->drum : NULL;
 }
 
-/* The energy accounts of all drums in one [J], as numbers in the order of TaborLedger; until the next call. */
+/* The energy accounts of all drums in one [J], as numbers in the order of TaborLedger; until the
+ * next call. */
 EXPORT("instrument_ledger") const TaborLedger *web_instrument_ledger(WebInstrument *web) {
   drum_player_ledger(&web->player, &web->ledger);
   return &web->ledger;

@@ -8,7 +8,8 @@
 
 #include "base/message.h"
 
-/** Returns "FOLDER/" for a path with or without its last separator. The caller frees it; NULL if memory is short. */
+/** Returns "FOLDER/" for a path with or without its last separator. The caller frees it; NULL if
+ * memory is short. */
 char *folder_name(const char *path);
 /** Joins "FOLDER/" and "file" to "FOLDER/file". The caller frees it; NULL if memory is short. */
 char *folder_path(const char *folder, const char *file);

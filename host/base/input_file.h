@@ -11,9 +11,9 @@
 #include "base/message.h"
 
 /**
- * Reads file @p name, "-" for standard input. *bytes has a terminator after its *length bytes. The caller
- * frees it with free(), whatever the outcome; it is NULL if nothing was read. Refuses more than @p limit
- * bytes.
+ * Reads file @p name, "-" for standard input. *bytes has a terminator after its *length bytes. The
+ * caller frees it with free(), whatever the outcome; it is NULL if nothing was read. Refuses more
+ * than @p limit bytes.
  */
 Outcome input_file_read(const char *name, size_t limit, char **bytes, size_t *length);
 

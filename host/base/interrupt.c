@@ -30,8 +30,8 @@ static void take_hold(void) {
   while (atomic_flag_test_and_set(&held)) (void)nanosleep(&moment, NULL);
 }
 
-/* True if the program ends by itself. Several may come at once: timeout(1) sends one to the process and one
-   to its group. */
+/* True if the program ends by itself. Several may come at once: timeout(1) sends one to the process
+   and one to its group. */
 static bool is_noted(int number) {
   int none = 0;
   if (!atomic_load(&catches) || signals_leave_no_time(number)) return false;
@@ -39,8 +39,8 @@ static bool is_noted(int number) {
   return true;
 }
 
-/* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. Runs in
-   any thread, and keeps the hold, so that no other creates or renames a file any more. */
+/* A flag would not do: libsndfile restarts an interrupted write to a pipe that nobody reads. Runs
+   in any thread, and keeps the hold, so that no other creates or renames a file any more. */
 static void end(int number) {
   if (is_noted(number)) return;
   take_hold();

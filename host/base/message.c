@@ -97,7 +97,8 @@ static void print(const char *prefix, char *line) {
   (void)pthread_mutex_unlock(&speaking);
 }
 
-/* "SUBJECT: text", or the text alone if it names the subject or there is none; NULL without memory. */
+/* "SUBJECT: text", or the text alone if it names the subject or there is none; NULL without memory.
+ */
 static char *with_subject(const char *text) {
   const bool named = !thread_subject || strstr(text, thread_subject);
   const char *const subject = named ? "" : thread_subject;

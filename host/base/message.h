@@ -3,9 +3,9 @@
  * @file message.h
  * Messages on standard error, and the exit status.
  *
- * A function that fails prints one line about its error and returns the outcome; its callers only return
- * the outcome. So every error is printed once, where most is known about it. Any thread may print; lines
- * are never interleaved.
+ * A function that fails prints one line about its error and returns the outcome; its callers only
+ * return the outcome. So every error is printed once, where most is known about it. Any thread may
+ * print; lines are never interleaved.
  */
 #ifndef TABOR_HOST_MESSAGE_H
 #define TABOR_HOST_MESSAGE_H
@@ -41,7 +41,8 @@ PRINTF_LIKE Outcome refuse(const char *format, ...);
 PRINTF_LIKE Outcome fail(const char *format, ...);
 /** fail() for lack of memory. */
 Outcome fail_memory(void);
-/** Fails with the reason of errno; prints nothing if the reader is gone, as in 'tabor modes | head'. */
+/** Fails with the reason of errno; prints nothing if the reader is gone, as in 'tabor modes |
+ * head'. */
 Outcome standard_output_failure(void);
 /** Prints an error of the engine: refused for invalid requests, failed for memory and numerics. */
 Outcome report_engine_error(const TaborError *error);
@@ -50,10 +51,12 @@ PRINTF_LIKE void warn(const char *format, ...);
 /** Prints a piece of information. */
 PRINTF_LIKE void note(const char *format, ...);
 
-/** Sets the subject of this thread's messages, a prefix of messages that do not name it. NULL: none. */
+/** Sets the subject of this thread's messages, a prefix of messages that do not name it. NULL:
+ * none. */
 void message_subject(const char *subject);
 
-/** Takes a message, one line without its end. Called by any thread, one at a time; must not print. */
+/** Takes a message, one line without its end. Called by any thread, one at a time; must not print.
+ */
 typedef void MessageSink(void *context, const char *line);
 
 /** Sends every message to @p sink instead of standard error; NULL: back to standard error. */
@@ -65,8 +68,8 @@ typedef struct MessageCapture {
 } MessageCapture;
 
 /**
- * Captures this thread's messages until message_release(). @p text gets the first line, "" if there is none;
- * nothing is printed. Returns the argument of message_release(). Captures may be nested.
+ * Captures this thread's messages until message_release(). @p text gets the first line, "" if there
+ * is none; nothing is printed. Returns the argument of message_release(). Captures may be nested.
  */
 MessageCapture message_capture(char *text, size_t size);
 void message_release(MessageCapture before);

@@ -16,8 +16,8 @@ typedef struct NumberField {
 } NumberField;
 
 /**
- * Reads a number such as "-1.5e3". Refuses anything else, naming field, text and range: blanks, hexadecimal
- * digits, inf, nan, numbers too large for a double or outside the range.
+ * Reads a number such as "-1.5e3". Refuses anything else, naming field, text and range: blanks,
+ * hexadecimal digits, inf, nan, numbers too large for a double or outside the range.
  */
 Outcome number_read(const NumberField *field, const char *text, double *value);
 

@@ -3,7 +3,8 @@
  * @file options.h
  * Tables of commands and options, and a parser of the command line for them.
  *
- * "--rate 48000", "--rate=48000", "-o FILE", "-oFILE" and "-nq" all work. Options may follow operands;
+ * "--rate 48000", "--rate=48000", "-o FILE", "-oFILE" and "-nq" all work. Options may follow
+ * operands;
  * "--" ends the options. If an option that is not repeatable comes twice, the last one counts.
  */
 #ifndef TABOR_HOST_OPTIONS_H
@@ -62,9 +63,11 @@ void arguments_replace(Arguments *arguments, const char *name, const char *value
 bool arguments_has(const Arguments *arguments, const char *name);
 /** Value of the last use of option @p name, or NULL. */
 const char *arguments_value(const Arguments *arguments, const char *name);
-/** Reads the value of option @p field->name, "--rate", as a number. *value stays if it was not given. */
+/** Reads the value of option @p field->name, "--rate", as a number. *value stays if it was not
+ * given. */
 Outcome arguments_number(const Arguments *arguments, const NumberField *field, double *value);
-/** Value of the next use of option @p name from *position on; moves *position past it. NULL at the end. */
+/** Value of the next use of option @p name from *position on; moves *position past it. NULL at the
+ * end. */
 const char *arguments_next(const Arguments *arguments, const char *name, size_t *position);
 
 #endif

@@ -3,17 +3,17 @@
  * @file output_file.h
  * Output files that appear complete or not at all.
  *
- * A regular file is written under a temporary name in the folder of its target and renamed when it is
- * complete; until then an older file of that name stays unchanged. Other targets are written in place.
- * A pipe gets the bytes as they are written. For a device, and for a pipe if the format must return to
- * its header, the bytes are first gathered in an unnamed temporary file. A symbolic link stays; the
- * file that it points to is written.
+ * A regular file is written under a temporary name in the folder of its target and renamed when it
+ * is complete; until then an older file of that name stays unchanged. Other targets are written in
+ * place. A pipe gets the bytes as they are written. For a device, and for a pipe if the format must
+ * return to its header, the bytes are first gathered in an unnamed temporary file. A symbolic link
+ * stays; the file that it points to is written.
  *
- * The temporary name is hidden and drawn at random, or one that a person finds if the program is killed:
- * "take.part.wav" of "take.wav", "take.part-2.wav" if that name is taken, and so on.
+ * The temporary name is hidden and drawn at random, or one that a person finds if the program is
+ * killed: "take.part.wav" of "take.wav", "take.part-2.wav" if that name is taken, and so on.
  *
- * Order of calls: plan (changes nothing), open, write, complete, deliver; discard at any time, any number
- * of times. With several files, complete all of them before delivering the first.
+ * Order of calls: plan (changes nothing), open, write, complete, deliver; discard at any time, any
+ * number of times. With several files, complete all of them before delivering the first.
  */
 #ifndef TABOR_HOST_OUTPUT_FILE_H
 #define TABOR_HOST_OUTPUT_FILE_H
@@ -48,15 +48,16 @@ typedef struct OutputFile {
 #define OUTPUT_FILE_NONE ((OutputFile){.descriptor = -1, .destination = -1})
 
 /**
- * Determines the kind of @p name and whether it may be written. Fails for folders, files without write
- * permission and, with @p keep_existing, existing files.
+ * Determines the kind of @p name and whether it may be written. Fails for folders, files without
+ * write permission and, with @p keep_existing, existing files.
  */
 Outcome output_plan(OutputFile *file, const char *name, bool keep_existing);
 /** True if both have the same target (character devices do not count). */
 bool output_same(const OutputFile *a, const OutputFile *b);
 /** True if @p file would overwrite the regular file @p path. */
 bool output_overwrites(const OutputFile *file, const char *path);
-/** Creates the temporary file or opens the pipe or device. @p seeks: gather the bytes for a pipe, too. */
+/** Creates the temporary file or opens the pipe or device. @p seeks: gather the bytes for a pipe,
+ * too. */
 Outcome output_open(OutputFile *file, bool seeks);
 /** Writes all bytes to descriptor. */
 Outcome output_write(OutputFile *file, const void *bytes, size_t size);
@@ -69,8 +70,8 @@ Outcome output_failure(const OutputFile *file);
 /** Ends the writing: copies gathered bytes to their destination, and closes. */
 Outcome output_complete(OutputFile *file);
 /**
- * Gives @p count completed files their names. Signals cannot interrupt this. If one file cannot get its name,
- * the others are removed again and older files of their names are restored.
+ * Gives @p count completed files their names. Signals cannot interrupt this. If one file cannot get
+ * its name, the others are removed again and older files of their names are restored.
  */
 Outcome output_deliver(OutputFile *const *files, size_t count);
 /** Removes an undelivered file and frees the memory. */

@@ -3,8 +3,8 @@
  * @file spsc_queue.h
  * A lock-free queue of fixed-size messages from one thread to another (C11 atomics).
  *
- * Functions are grouped by the thread that may call them. spsc_queue_push(), spsc_queue_peek() and spsc_queue_pop() are
- * real-time safe: bounded, no allocation, no lock, no system call.
+ * Functions are grouped by the thread that may call them. spsc_queue_push(), spsc_queue_peek() and
+ * spsc_queue_pop() are real-time safe: bounded, no allocation, no lock, no system call.
  */
 #ifndef TABOR_HOST_SPSC_QUEUE_H
 #define TABOR_HOST_SPSC_QUEUE_H
@@ -38,7 +38,8 @@ void spsc_queue_destroy(SpscQueue *queue);
 
 /* PRODUCER */
 
-/** Appends a copy of @p message. If the queue is full, counts a dropped message and returns false. */
+/** Appends a copy of @p message. If the queue is full, counts a dropped message and returns false.
+ */
 bool spsc_queue_push(SpscQueue *queue, const void *message) REALTIME;
 
 /* CONSUMER */

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file gui_link.h
- * What passes from the window of an instance to the host: the turns of controls. What passes between the window and the
- * audio thread, plugin/window_link.h and plugin/kit_window_link.h have.
+ * What passes from the window of an instance to the host: the turns of controls. What passes
+ * between the window and the audio thread, plugin/window_link.h and plugin/kit_window_link.h have.
  */
 #ifndef TABOR_CLAP_GUI_LINK_H
 #define TABOR_CLAP_GUI_LINK_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file host_calls.h
- * What an instance asks of its host when something has changed that the host did not. MAIN: all functions.
+ * What an instance asks of its host when something has changed that the host did not. MAIN: all
+ * functions.
  */
 #ifndef TABOR_CLAP_HOST_CALLS_H
 #define TABOR_CLAP_HOST_CALLS_H

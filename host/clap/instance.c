@@ -23,7 +23,8 @@ static void say(void *context, const char *line) {
   if (instance->log) instance->log->log(instance->host, CLAP_LOG_ERROR, text);
 }
 
-/* A KitPool's. CLAP has this call for the audio thread; the compiler cannot know that of a pointer. */
+/* A KitPool's. CLAP has this call for the audio thread; the compiler cannot know that of a pointer.
+ */
 static bool run_parts(void *context, uint32_t parts) {
   const Instance *const instance = context;
   return instance->threads->request_exec(instance->host, parts);
@@ -109,7 +110,8 @@ static void reset(const clap_plugin_t *plugin) {
 
 /* ---- the host's main thread ----------------------------------------------------------------- */
 
-/* CLAP declares these calls thread-safe: hosts only note what they are asked for. The compiler cannot know that of a pointer. */
+/* CLAP declares these calls thread-safe: hosts only note what they are asked for. The compiler
+ * cannot know that of a pointer. */
 typedef void RequestFn(const clap_host_t *host) REALTIME;
 
 static void call_main_thread(Instance *instance) REALTIME {
@@ -156,8 +158,8 @@ static bool note_knobs(void *shell, uint32_t frame) REALTIME {
   return any;
 }
 
-/* Silence acts before all notes of its frame, so those that it ends must not begin: `choked` has the number of the last event that
- * chokes a key, 0 if none, from 1. */
+/* Silence acts before all notes of its frame, so those that it ends must not begin: `choked` has
+ * the number of the last event that chokes a key, 0 if none, from 1. */
 static bool is_choked(const MidiMessage *message, uint32_t number,
                       const uint32_t choked[MIDI_VALUES]) REALTIME {
   return midi_kind(message) == MIDI_NOTE_ON && number < choked[message->data[0]];

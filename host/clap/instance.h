@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file instance.h
- * An instance of a CLAP plugin: an instrument (plugin/instrument.h) in a host. instance.c creates, runs and destroys it; the
- * other files of this folder have its extensions.
+ * An instance of a CLAP plugin: an instrument (plugin/instrument.h) in a host. instance.c creates,
+ * runs and destroys it; the other files of this folder have its extensions.
  */
 #ifndef TABOR_CLAP_INSTANCE_H
 #define TABOR_CLAP_INSTANCE_H
@@ -42,7 +42,8 @@ static inline Instrument *instrument_of(const clap_plugin_t *plugin) {
   return instance_of(plugin)->instrument;
 }
 
-/** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short. */
+/** MAIN. Creates an instance of the plugin that @p descriptor describes; NULL if memory is short.
+ */
 const clap_plugin_t *instance_create(const clap_plugin_descriptor_t *descriptor,
                                      const clap_host_t *host, const InstrumentKind *kind);
 

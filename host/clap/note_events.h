@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file note_events.h
- * CLAP's notes as MIDI messages, so that both dialects have the same meaning. A choke is none: it silences what its key plays.
+ * CLAP's notes as MIDI messages, so that both dialects have the same meaning. A choke is none: it
+ * silences what its key plays.
  *
  * | event | message |
  * |---|---|
@@ -27,7 +28,8 @@ uint32_t note_event_messages(const clap_event_header_t *event,
 
 /** True for a note choke, which may name a key. */
 bool note_event_is_choke(const clap_event_header_t *event) REALTIME;
-/** Raises choked[key] to @p number for every key that @p event chokes; a choke without a key is for all. */
+/** Raises choked[key] to @p number for every key that @p event chokes; a choke without a key is for
+ * all. */
 void note_event_choke(const clap_event_header_t *event, uint32_t number,
                       uint32_t choked[MIDI_VALUES]) REALTIME;
 

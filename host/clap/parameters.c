@@ -17,7 +17,8 @@ static const Knob *knob_of(const Instrument *instrument, clap_id param, uint32_t
 
 /* ---- scales --------------------------------------------------------------------------------- */
 
-/* A parameter whose scale is bent has the range 0 to 1. CLAP knows no switch that enables, but one that bypasses. */
+/* A parameter whose scale is bent has the range 0 to 1. CLAP knows no switch that enables, but one
+ * that bypasses. */
 static double to_parameter(const Instrument *instrument, uint32_t id, double value) {
   const KnobRange *const range = &instrument->ranges[id];
   if (instrument->kind->knobs[id].is_bypass) return 1 - value;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file parameters.h
- * Knobs as CLAP's parameters. The id of a parameter is the number of its knob in the order of ports and never changes. The
- * value of a parameter is that of the knob; of a knob whose way is bent it is the position, 0 to 1; of one that enables, whether it
- * bypasses.
+ * Knobs as CLAP's parameters. The id of a parameter is the number of its knob in the order of ports
+ * and never changes. The value of a parameter is that of the knob; of a knob whose way is bent it
+ * is the position, 0 to 1; of one that enables, whether it bypasses.
  */
 #ifndef TABOR_CLAP_PARAMETERS_H
 #define TABOR_CLAP_PARAMETERS_H

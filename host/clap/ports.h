@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ports.h
- * What goes in and comes out of the CLAP plugins: notes, whose names follow what plays them, sound, and how long it rings. The
- * first output is in stereo. Latency and render mode are here, too.
+ * What goes in and comes out of the CLAP plugins: notes, whose names follow what plays them, sound,
+ * and how long it rings. The first output is in stereo. Latency and render mode are here, too.
  */
 #ifndef TABOR_CLAP_PORTS_H
 #define TABOR_CLAP_PORTS_H

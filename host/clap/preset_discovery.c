@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How a host's browser finds presets: the built-in ones in the plugins, the user's in a folder, if it is there. */
+/* How a host's browser finds presets: the built-in ones in the plugins, the user's in a folder, if
+ * it is there. */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -96,7 +96,8 @@ static bool read_name(const InstrumentKind *kind, const char *name, InstrumentSe
   return true;
 }
 
-/* Reads what stands before the text, which goes to *text, or NULL if there is none. Returns what is wrong, or NULL. */
+/* Reads what stands before the text, which goes to *text, or NULL if there is none. Returns what is
+ * wrong, or NULL. */
 static const char *read_head(const InstrumentKind *kind, char *head, InstrumentSetting *setting,
                              char **text) {
   const char *name = NULL;

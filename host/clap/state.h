@@ -11,9 +11,10 @@
  *     shell.radius = 0.1778                    [kit]
  *     ...                                      ...
  *
- * A knob has its symbol, its value and, if the drum is noted with it, the value for which the definition is made: if they
- * differ, the knob has been turned since. Both are the bits of a single-precision number in hexadecimal digits, which no locale
- * changes. A built-in kit has its name, since a later version may change its number; the text of a kit is that of the user's own
+ * A knob has its symbol, its value and, if the drum is noted with it, the value for which the
+ * definition is made: if they differ, the knob has been turned since. Both are the bits of a
+ * single-precision number in hexadecimal digits, which no locale changes. A built-in kit has its
+ * name, since a later version may change its number; the text of a kit is that of the user's own
  * one, if there is one. Knobs of later versions are skipped.
  */
 #ifndef TABOR_CLAP_STATE_H

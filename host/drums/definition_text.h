@@ -11,8 +11,9 @@
 #include <tabor/kit.h>
 
 /**
- * Returns the text of tabor_drum_def_write(), which the caller frees; NULL with the reason in @p error, which may be NULL. @p by says in a first
- * line who wrote it, such as "'tabor show'"; without it, NULL, there is no such line.
+ * Returns the text of tabor_drum_def_write(), which the caller frees; NULL with the reason in @p
+ * error, which may be NULL. @p by says in a first line who wrote it, such as "'tabor show'";
+ * without it, NULL, there is no such line.
  */
 char *definition_write(const TaborDrumDef *def, TaborTextForm form, const char *by,
                        TaborError *error);
@@ -20,9 +21,10 @@ char *definition_write(const TaborDrumDef *def, TaborTextForm form, const char *
 char *definition_write_kit(const TaborKitDef *def, TaborTextForm form, const char *by,
                            TaborError *error);
 /**
- * Reads what a plugin saved: @p text of @p size bytes, with a terminator or without. Keys that this version does not know are
- * skipped; missing ones have their defaults. Any other error returns false with the reason in @p error and leaves @p def
- * unchanged. Before 0.2.0 plugins saved full keys without sections.
+ * Reads what a plugin saved: @p text of @p size bytes, with a terminator or without. Keys that this
+ * version does not know are skipped; missing ones have their defaults. Any other error returns
+ * false with the reason in @p error and leaves @p def unchanged. Before 0.2.0 plugins saved full
+ * keys without sections.
  */
 bool definition_read(const char *text, size_t size, TaborDrumDef *def, TaborError *error);
 

@@ -10,7 +10,8 @@
 
 #include "drums/preset_file.h"
 
-/** Reads a file to @p def, as preset_file_read(). Ranges and rules are left to tabor_drum_def_validate(). */
+/** Reads a file to @p def, as preset_file_read(). Ranges and rules are left to
+ * tabor_drum_def_validate(). */
 PresetFileStatus drum_file_read(const char *path, TaborDrumDef *def, char *message, size_t size);
 
 #endif

@@ -7,8 +7,8 @@
 
 #include "platform/clock.h"
 
-/* [s]: shorter builds need no announcement. A build that takes 5 s is announced although estimates are
- * right within a factor of 3 alone. */
+/* [s]: shorter builds need no announcement. A build that takes 5 s is announced although estimates
+ * are right within a factor of 3 alone. */
 static const double LONG = 5.0 / 3.0;
 static const double GLANCE = 0.25; /* [s] between two looks at the progress */
 

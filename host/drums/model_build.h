@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file model_build.h
- * Builds models. A build that takes long is announced, with the parameter that costs the most of it, and its
- * progress stands on the terminal until something else is written there.
+ * Builds models. A build that takes long is announced, with the parameter that costs the most of
+ * it, and its progress stands on the terminal until something else is written there.
  */
 #ifndef TABOR_HOST_MODEL_BUILD_H
 #define TABOR_HOST_MODEL_BUILD_H

@@ -11,18 +11,21 @@
 
 typedef enum PresetFileStatus {
   PRESET_FILE_OK,
-  PRESET_FILE_UNREADABLE, /**< missing, not permitted, not a regular file, too large, a failed read */
+  PRESET_FILE_UNREADABLE, /**< missing, not permitted, not a regular file, too large, a failed read
+                           */
   PRESET_FILE_INVALID     /**< malformed, or a line was refused */
 } PresetFileStatus;
 
 /**
- * Puts the text of a file into *text, which the caller frees; NULL on an error, which @p message then tells in one line
- * that names the file. Never waits for a FIFO or device and never reads more than TABOR_TEXT_LIMIT bytes.
+ * Puts the text of a file into *text, which the caller frees; NULL on an error, which @p message
+ * then tells in one line that names the file. Never waits for a FIFO or device and never reads more
+ * than TABOR_TEXT_LIMIT bytes.
  */
 PresetFileStatus preset_file_load(const char *path, char **text, size_t *length, char *message,
                                   size_t size);
 
-/** Reads a file with tabor_text_read(). On an error, @p message is one line that names the file, the line and the error. */
+/** Reads a file with tabor_text_read(). On an error, @p message is one line that names the file,
+ * the line and the error. */
 PresetFileStatus preset_file_read(const char *path, TaborTextTake *take, void *context,
                                   char *message, size_t size);
 /** The same of a text, which messages call @p name. */

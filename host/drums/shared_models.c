@@ -46,7 +46,8 @@ static SharedModel *make_room(SharedModels *shared) {
   return oldest;
 }
 
-/* Builds while the mutex is free. A model that fails leaves its place; others then try for themselves. */
+/* Builds while the mutex is free. A model that fails leaves its place; others then try for
+ * themselves. */
 static Outcome build_into(SharedModels *shared, SharedModel *place, const TaborDrumDef *def,
                           const TaborModelOptions *options, TaborModel **model) {
   *place = (SharedModel){.def = *def,

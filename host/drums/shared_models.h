@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file shared_models.h
- * Models that several sounds of a batch need: each is built once, by the thread that asks first; others that ask for it
- * meanwhile wait. Any thread.
+ * Models that several sounds of a batch need: each is built once, by the thread that asks first;
+ * others that ask for it meanwhile wait. Any thread.
  */
 #ifndef TABOR_HOST_SHARED_MODELS_H
 #define TABOR_HOST_SHARED_MODELS_H
@@ -31,8 +31,8 @@ typedef struct SharedModels {
 } SharedModels;
 
 void shared_models_begin(SharedModels *shared);
-/** Finds or builds the model of @p def; the caller owns one reference to it. On an error *model is NULL. @p shared may be
- * NULL: the model is built. */
+/** Finds or builds the model of @p def; the caller owns one reference to it. On an error *model is
+ * NULL. @p shared may be NULL: the model is built. */
 Outcome shared_models_take(SharedModels *shared, const TaborDrumDef *def,
                            const TaborModelOptions *options, TaborModel **model);
 /** Releases what is kept; no thread may ask any more. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file user_presets.h
- * The user's own drums and kits: the files NAME.ini in a folder of theirs, which the program and the plugins share.
+ * The user's own drums and kits: the files NAME.ini in a folder of theirs, which the program and
+ * the plugins share.
  */
 #ifndef TABOR_HOST_USER_PRESETS_H
 #define TABOR_HOST_USER_PRESETS_H
@@ -11,11 +12,12 @@
 #define USER_PRESET_PATH 4096 /**< bytes of a path */
 
 /**
- * Names the folder: tabor in $XDG_DATA_HOME or ~/.local/share, on Windows in %APPDATA%. It need not be there. False if
- * the user has no such place.
+ * Names the folder: tabor in $XDG_DATA_HOME or ~/.local/share, on Windows in %APPDATA%. It need not
+ * be there. False if the user has no such place.
  */
 bool user_folder(char path[USER_PRESET_PATH]);
-/** Names the file of the preset @p name, which need not be there. False if the user has no such folder. */
+/** Names the file of the preset @p name, which need not be there. False if the user has no such
+ * folder. */
 bool user_preset_path(const char *name, char path[USER_PRESET_PATH]);
 /** Returns the file of the preset @p name, in @p room; NULL if there is none. */
 const char *user_preset_find(const char *name, char room[USER_PRESET_PATH]);

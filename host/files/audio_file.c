@@ -78,7 +78,8 @@ double audio_least(AudioEncoding encoding) {
 
 /* ---- writing ---- */
 
-/* True if a WAV file could pass 4 GiB, which a plain header cannot express: then the header is our own. */
+/* True if a WAV file could pass 4 GiB, which a plain header cannot express: then the header is our
+ * own. */
 static bool has_own_header(const AudioFormat *format, const OutputFile *output) {
   const uint64_t frame_size = (uint64_t)format->channels * sizeof(float); /* at most */
   return format->container == AUDIO_WAV && output->kind != OUTPUT_STREAMED &&
@@ -227,8 +228,9 @@ Outcome audio_file_finish(AudioFile *file) {
   return file->output->kind == OUTPUT_STREAMED ? OUTCOME_OK : verify(file);
 }
 
-/* Part of a block may have been written, and counted by libsndfile. It forgets that, and goes to the end of
-   the last whole one; but it cannot cut the file. The header is there: renewing it takes no room. */
+/* Part of a block may have been written, and counted by libsndfile. It forgets that, and goes to
+   the end of the last whole one; but it cannot cut the file. The header is there: renewing it takes
+   no room. */
 Outcome audio_file_salvage(AudioFile *file) {
   sf_count_t frames = (sf_count_t)file->frames;
   if (file->output->kind == OUTPUT_STREAMED) return OUTCOME_OK;

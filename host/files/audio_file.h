@@ -25,7 +25,8 @@ typedef struct AudioFormat {
   uint64_t most_frames; /**< longest length of the sound */
 } AudioFormat;
 
-/** A sound file being written to an open OutputFile, which it does not own. Must not be moved or copied. */
+/** A sound file being written to an open OutputFile, which it does not own. Must not be moved or
+ * copied. */
 typedef struct AudioFile {
   OutputFile *output;
   AudioFormat format;
@@ -43,7 +44,8 @@ typedef struct AudioFile {
 bool audio_container(const char *name, AudioContainer *container);
 /** Finds the encoding called @p name ("pcm16", "pcm24", "float"). */
 Outcome audio_encoding(const char *name, AudioEncoding *encoding);
-/** Refuses a format that the container cannot hold: FLAC has no float, up to 8 channels, only round rates. */
+/** Refuses a format that the container cannot hold: FLAC has no float, up to 8 channels, only round
+ * rates. */
 Outcome audio_format_check(const AudioFormat *format);
 /** Largest sample that the encoding holds (1 is full scale; infinite for float). */
 double audio_largest(AudioEncoding encoding);
@@ -55,14 +57,14 @@ double audio_least(AudioEncoding encoding);
 Outcome audio_file_open(AudioFile *file, const AudioFormat *format, OutputFile *output);
 /** Appends @p frames frames, interleaved; integer encodings round and saturate. */
 Outcome audio_file_write(AudioFile *file, const double *samples, uint32_t frames);
-/** Writes the header for the frames so far, so that the file can be read up to here if the program is killed. Only if
- * the file can be read back, and not for FLAC. */
+/** Writes the header for the frames so far, so that the file can be read up to here if the program
+ * is killed. Only if the file can be read back, and not for FLAC. */
 Outcome audio_file_refresh(AudioFile *file);
 /** Completes the file; if it can be read back, reopens it and checks that it is complete. */
 Outcome audio_file_finish(AudioFile *file);
 /**
- * Call after audio_file_write() has failed: makes a valid file of the frames written before. Works only
- * if the file can be read back, and not for FLAC.
+ * Call after audio_file_write() has failed: makes a valid file of the frames written before. Works
+ * only if the file can be read back, and not for FLAC.
  */
 Outcome audio_file_salvage(AudioFile *file);
 void audio_file_free(AudioFile *file);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sample_spool.h
- * Stores samples in an unnamed temporary file until all of them are known. The peak of a sound is known only
- * at its end, and the sound may be larger than memory.
+ * Stores samples in an unnamed temporary file until all of them are known. The peak of a sound is
+ * known only at its end, and the sound may be larger than memory.
  */
 #ifndef TABOR_HOST_SAMPLE_SPOOL_H
 #define TABOR_HOST_SAMPLE_SPOOL_H

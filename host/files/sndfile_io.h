@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sndfile_io.h
- * File access for libsndfile that keeps the first error. libsndfile loses some errors: sf_close() does not
- * report a header that could not be written at the end. Such a file may even be read back without an
- * error, because readers guess the values missing in the header.
+ * File access for libsndfile that keeps the first error. libsndfile loses some errors: sf_close()
+ * does not report a header that could not be written at the end. Such a file may even be read back
+ * without an error, because readers guess the values missing in the header.
  */
 #ifndef TABOR_HOST_SNDFILE_IO_H
 #define TABOR_HOST_SNDFILE_IO_H

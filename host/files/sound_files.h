@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sound_files.h
- * The sound files of a rendering: one with all channels, or with --split one for each microphone or each drum of a kit.
+ * The sound files of a rendering: one with all channels, or with --split one for each microphone or
+ * each drum of a kit.
  */
 #ifndef TABOR_HOST_SOUND_FILES_H
 #define TABOR_HOST_SOUND_FILES_H
@@ -19,7 +20,8 @@ typedef struct SoundFiles {
 /** Starts @p count files of one format. Free with sound_files_free(), whatever the outcome. */
 Outcome sound_files_open(SoundFiles *sounds, const AudioFormat *format, OutputFile *outputs,
                          uint32_t count);
-/** Appends at most AUDIO_BLOCK frames, interleaved: all channels of the first file, then those of the next. */
+/** Appends at most AUDIO_BLOCK frames, interleaved: all channels of the first file, then those of
+ * the next. */
 Outcome sound_files_write(SoundFiles *sounds, const double *samples, uint32_t frames);
 /** Completes and checks all files. */
 Outcome sound_files_finish(SoundFiles *sounds);

@@ -16,7 +16,8 @@ typedef struct TraceFile {
   uint64_t written; /**< bytes written so far */
 } TraceFile;
 
-/** Starts the file with the names of the columns. Free with trace_file_free(), whatever the outcome. */
+/** Starts the file with the names of the columns. Free with trace_file_free(), whatever the
+ * outcome. */
 Outcome trace_file_open(TraceFile *trace, OutputFile *output);
 /** Adds the state of @p drum at time @p time [s]. */
 Outcome trace_file_row(TraceFile *trace, double time, const TaborDrum *drum);

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file wav_header.h
- * The header of a WAV file whose length is not known before it ends: a plain one, which every reader knows, as long as the
- * file has less than 4 GiB, else that of RF64 (EBU Tech 3306). Both have the same length: until it is needed for the
- * lengths of RF64, a chunk JUNK keeps the room.
+ * The header of a WAV file whose length is not known before it ends: a plain one, which every
+ * reader knows, as long as the file has less than 4 GiB, else that of RF64 (EBU Tech 3306). Both
+ * have the same length: until it is needed for the lengths of RF64, a chunk JUNK keeps the room.
  *
- * libsndfile would make such a file WAVE_FORMAT_EXTENSIBLE and leave it so, which trackers and Python 3.11 refuse.
+ * libsndfile would make such a file WAVE_FORMAT_EXTENSIBLE and leave it so, which trackers and
+ * Python 3.11 refuse.
  */
 #ifndef TABOR_HOST_WAV_HEADER_H
 #define TABOR_HOST_WAV_HEADER_H

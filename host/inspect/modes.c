@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file modes.c
- * `tabor modes`: lists frequencies and decays of the heads coupled to the air, sorted by frequency, and the
- * pitches of the heads.
+ * `tabor modes`: lists frequencies and decays of the heads coupled to the air, sorted by frequency,
+ * and the pitches of the heads.
  */
 #include <math.h>
 #include <stdio.h>

@@ -100,8 +100,8 @@ static double deviation(const double *values, const double *weights, size_t coun
   return sqrt(square / sum);
 }
 
-/* Level of the floor that the track ends in, if it falls at the end less than half as fast as at the
-   beginning; SILENT if it does not. */
+/* Level of the floor that the track ends in, if it falls at the end less than half as fast as at
+   the beginning; SILENT if it does not. */
 static double find_floor(PartialTracker *tracker) {
   const size_t third = tracker->count / 3, rest = tracker->count - third;
   if (third < 2) return SILENT;

@@ -6,10 +6,10 @@
  * The sound is multiplied with a window w of length L at successive times kH. For a partial
  * a exp(-s n) cos(u n + p) and a guess v of its frequency u, the sum over n of
  * w[n] x[kH + n] exp(-iv(kH + n)) is (a/2) exp(ip) W exp((-s + i(u - v)) kH) with a constant W, the
- * window's transform. Its level is a straight line with a slope that gives s; its phase is a straight
- * line with a slope that gives u - v. The values of both lines at k = 0, divided by W, give a. Only other
- * partials and noise make this inexact. Units are cycles and samples. A steady tone is the limiting case
- * s = 0.
+ * window's transform. Its level is a straight line with a slope that gives s; its phase is a
+ * straight line with a slope that gives u - v. The values of both lines at k = 0, divided by W,
+ * give a. Only other partials and noise make this inexact. Units are cycles and samples. A steady
+ * tone is the limiting case s = 0.
  */
 #ifndef TABOR_HOST_PARTIAL_TRACKER_H
 #define TABOR_HOST_PARTIAL_TRACKER_H
@@ -45,8 +45,8 @@ typedef struct PartialTracker {
 /** Allocates the memory. Free with partial_tracker_free(), whatever the outcome. */
 Outcome partial_tracker_open(PartialTracker *tracker, const Spectrum *spectrum);
 /**
- * Tracks the partial near @p frequency from the first of @p count samples on. False if it falls below the
- * noise floor too soon.
+ * Tracks the partial near @p frequency from the first of @p count samples on. False if it falls
+ * below the noise floor too soon.
  */
 bool partial_tracker_fit(PartialTracker *tracker, const double *samples, size_t count,
                          double frequency, PartialFit *fit);

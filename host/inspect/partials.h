@@ -3,11 +3,11 @@
  * @file partials.h
  * Finds the ringing partials of a struck sound, with their frequencies, levels and decays.
  *
- * Spectra of the sound from its onset are computed with windows from long to short, each half as long as
- * the previous one. A long window separates close partials; a short window finds partials that decay
- * fast. Every peak is tracked through time (partial_tracker.h). The result is from the longest window
- * through which the level decays in a straight line. The peak then hides others that this window cannot
- * separate from it.
+ * Spectra of the sound from its onset are computed with windows from long to short, each half as
+ * long as the previous one. A long window separates close partials; a short window finds partials
+ * that decay fast. Every peak is tracked through time (partial_tracker.h). The result is from the
+ * longest window through which the level decays in a straight line. The peak then hides others that
+ * this window cannot separate from it.
  */
 #ifndef TABOR_HOST_PARTIALS_H
 #define TABOR_HOST_PARTIALS_H

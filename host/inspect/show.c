@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file show.c
- * `tabor show`: prints a drum's parameters as a preset file, or a kit as a kit file, which reads back to the same.
+ * `tabor show`: prints a drum's parameters as a preset file, or a kit as a kit file, which reads
+ * back to the same.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,7 +10,8 @@
 #include "platform/files.h"
 #include "platform/paths.h"
 
-/* Of "drum.NAME.preset" the drum, which is there or becomes the next; NULL: it is another key, or there can be none. */
+/* Of "drum.NAME.preset" the drum, which is there or becomes the next; NULL: it is another key, or
+ * there can be none. */
 static TaborDrumDef *drum_of_preset(TaborKitDef *def, const char *key) {
   char name[TABOR_NAME_SIZE] = "", section[TABOR_NAME_SIZE + sizeof "drum."];
   const char *const start = key + strlen("drum."), *const dot = strrchr(key, '.');
@@ -47,7 +48,8 @@ void kit_name_after(TaborKitDef *def, const char *path) {
 
 /* ---- sound files ---- */
 
-/* "FOLDER/hat.wav" beside "FOLDER/kit.ini"; a path of its own stays. False if there is no room for it. */
+/* "FOLDER/hat.wav" beside "FOLDER/kit.ini"; a path of its own stays. False if there is no room for
+ * it. */
 static bool move_beside(const char *file, char sample[TABOR_TEXT_SIZE]) {
   const size_t folder = path_has_folder(sample) ? 0 : (size_t)(path_base(file) - file);
   const size_t length = strlen(sample);

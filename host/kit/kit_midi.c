@@ -31,7 +31,8 @@ static bool plays_any(const TaborKitDrumDef *drum, const uint8_t *notes, size_t 
   return false;
 }
 
-/* A drum module says the place of a stroke on its snare pad and on its toms by a controller each. */
+/* A drum module says the place of a stroke on its snare pad and on its toms by a controller each.
+ */
 static void map_places(const TaborKitDrumDef *drum, const KitMidiSetup *setup, MidiMap *map) {
   static const uint8_t snare[] = {37, 38, 40}, toms[] = {41, 43, 45, 47, 48, 50};
   map->controls[16].target = map->controls[17].target = MIDI_TARGET_NONE;

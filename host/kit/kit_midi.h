@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_midi.h
- * Converts MIDI messages to events of a kit. Each drum has its own converter (midi_to_events.h) with the default map of
- * controllers and the kit's notes: a note, its end and its key pressure go to the drum that the note plays;
- * controllers, channel pressure and silences go to all drums. Program changes do nothing.
+ * Converts MIDI messages to events of a kit. Each drum has its own converter (midi_to_events.h)
+ * with the default map of controllers and the kit's notes: a note, its end and its key pressure go
+ * to the drum that the note plays; controllers, channel pressure and silences go to all drums.
+ * Program changes do nothing.
  *
- * With a map by name (kit_map.h) notes are those of that instrument. The controllers 16 and 17 then do not move all drums:
- * one controller moves the strokes of drums that play General MIDI's snare notes, another one those that play its toms.
+ * With a map by name (kit_map.h) notes are those of that instrument. The controllers 16 and 17 then
+ * do not move all drums: one controller moves the strokes of drums that play General MIDI's snare
+ * notes, another one those that play its toms.
  */
 #ifndef TABOR_HOST_KIT_MIDI_H
 #define TABOR_HOST_KIT_MIDI_H
@@ -48,17 +50,19 @@ typedef struct KitMidi {
 MidiStroke kit_midi_stroke(const TaborKitDrumDef *drum, const KitMapNote *note);
 /** SET-UP. Initialises *midi, which has some 500 kB and must not be moved, for @p kit. */
 void kit_midi_begin(KitMidi *midi, const TaborKitDef *kit, const KitMidiSetup *setup);
-/** AUDIO. Goes on with what controllers and notes have moved in @p from, which is of a kit with the same drums and notes. */
+/** AUDIO. Goes on with what controllers and notes have moved in @p from, which is of a kit with the
+ * same drums and notes. */
 void kit_midi_follow(KitMidi *midi, const KitMidi *from) REALTIME;
 /** AUDIO. Forgets what controllers and notes have moved; counts stay. */
 void kit_midi_rest(KitMidi *midi) REALTIME;
-/** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. One for a sample is addressed to
- * TABOR_KIT_NOTE and the note of General MIDI. */
+/** AUDIO. Writes what @p message does to @p events, frames aside; returns how many events. One for
+ * a sample is addressed to TABOR_KIT_NOTE and the note of General MIDI. */
 uint32_t kit_midi_take(KitMidi *midi, const MidiMessage *message,
                        TaborKitEvent events[KIT_MIDI_MOST_EVENTS]) REALTIME;
 /** AUDIO. Scatters @p event if it is a stroke on a drum. */
 void kit_midi_humanize(const KitMidi *midi, Humanizer *humanizer, TaborKitEvent *event) REALTIME;
-/** Where the events of a note go: a drum, or the sound of a note; KIT_MIDI_NOWHERE if it plays nothing. */
+/** Where the events of a note go: a drum, or the sound of a note; KIT_MIDI_NOWHERE if it plays
+ * nothing. */
 uint32_t kit_midi_address(const KitMidi *midi, uint8_t note) REALTIME;
 /** Number of strokes on notes that play no drum. */
 uint64_t kit_midi_unknown(const KitMidi *midi) REALTIME;

@@ -10,8 +10,10 @@
 #include "midi/midi_file_input.h"
 
 /**
- * Reads what is played on @p kit at @p rate [Hz]: the file of --midi-file, by @p midi, and the strokes of --strike and --events, which
- * @p humanizer scatters. Refuses a file in which no note plays a drum. Free with kit_song_free(), whatever the outcome.
+ * Reads what is played on @p kit at @p rate [Hz]: the file of --midi-file, by @p midi, and the
+ * strokes of --strike and --events, which
+ * @p humanizer scatters. Refuses a file in which no note plays a drum. Free with kit_song_free(),
+ * whatever the outcome.
  */
 Outcome kit_song_read(const Arguments *arguments, const TaborKitDef *kit, KitMidi *midi,
                       Humanizer humanizer, double rate, KitSong *song);

@@ -11,11 +11,13 @@
 #include "platform/process.h"
 #include "platform/wake.h"
 
-/* [s] for which a thread looks before it sleeps. For the groove of docs/kit.md with 5 us two threads take an eighth longer and as
- * much of their processors; with 60 us a twentieth less, and as much more of their processors. */
+/* [s] for which a thread looks before it sleeps. For the groove of docs/kit.md with 5 us two
+ * threads take an eighth longer and as much of their processors; with 60 us a twentieth less, and
+ * as much more of their processors. */
 static const double SPIN = 20e-6;
 static const double LATE = 2e-3; /* [s] for which nobody waits who must be in time */
-/* [s] for which the caller is alone then; each time twice as long if it happens within RECOVERY again. */
+/* [s] for which the caller is alone then; each time twice as long if it happens within RECOVERY
+ * again. */
 static const double RECOVERY = 0.2, LONGEST_RECOVERY = 10;
 static const double TERM = 0.2, TERM_ALONE = 0.05; /* [s] after which drums are divided anew */
 
@@ -69,7 +71,8 @@ static void relax(void) {
 
 /* ---- waiting -------------------------------------------------------------------------------- */
 
-/* Either the sleeper sees what it waits for before it sleeps, or who brings it sees that it sleeps. */
+/* Either the sleeper sees what it waits for before it sleeps, or who brings it sees that it sleeps.
+ */
 static void wait_until(Sleeper *sleeper, const atomic_uint *place, unsigned value) {
   const double until = now() + SPIN;
   while (now() < until) {
@@ -96,9 +99,9 @@ static void compute(KitThreads *threads, uint32_t drum) {
   threads->division.seconds[drum] += now() - begun;
 }
 
-/* Computes those of @p drums that nobody has taken: a part is taken as a whole, since its tables are in one processor's cache. A
- * thread that is late from a round before takes part in the newest: `open` is set last, so who finds a drum in it also sees
- * the round's job. */
+/* Computes those of @p drums that nobody has taken: a part is taken as a whole, since its tables
+ * are in one processor's cache. A thread that is late from a round before takes part in the newest:
+ * `open` is set last, so who finds a drum in it also sees the round's job. */
 static void take(KitThreads *threads, uint32_t drums) {
   const uint32_t taken = atomic_fetch_and(&threads->open, ~drums) & drums;
   for (uint32_t i = 0; taken >> i; i++) {

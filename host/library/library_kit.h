@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file library_kit.h
- * A kit as a sample library: each kind of stroke on each drum is a sound of its own, in the kit's stereo mix, with what
- * the other drums answer. A sound is that of `tabor render --kit` for a song of this one note, to the bit.
+ * A kit as a sample library: each kind of stroke on each drum is a sound of its own, in the kit's
+ * stereo mix, with what the other drums answer. A sound is that of `tabor render --kit` for a song
+ * of this one note, to the bit.
  */
 #ifndef TABOR_HOST_LIBRARY_KIT_H
 #define TABOR_HOST_LIBRARY_KIT_H

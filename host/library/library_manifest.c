@@ -22,7 +22,8 @@
 
 /* ---- what a library is made from ---- */
 
-/* Every parameter but name, comment and licence, after @p prefix: text that reads back to the same bits. */
+/* Every parameter but name, comment and licence, after @p prefix: text that reads back to the same
+ * bits. */
 static json_t *with_parameters(json_t *object, const char *prefix, const TaborDrumDef *def) {
   char key[2 * TABOR_NAME_SIZE], full[4 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
   TaborError error;
@@ -237,7 +238,8 @@ static Outcome claim(const LibraryRequest *request, const char *path, json_t *wa
   Outcome outcome = is_there ? compare_manifest(request->folder, path, wanted)
                              : write_manifest(request, path, wanted);
   if (outcome == OUTCOME_OK) outcome = lock(request->folder, path, hold);
-  /* of runs that were killed; before there was a manifest, none of the folder's files were a library's */
+  /* of runs that were killed; before there was a manifest, none of the folder's files were a
+   * library's */
   if (outcome == OUTCOME_OK && is_there)
     folder_visit(request->folder, remove_temporary, (void *)request->folder);
   return outcome;

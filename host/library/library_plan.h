@@ -4,8 +4,8 @@
  * Plans the sounds of a sample library: every velocity at every position, in several takes.
  *
  * Each position has its own key, from the centre outwards; the keys are the notes for the head
- * (docs/midi.md). So any position can follow any other at once, from pads, keyboards and patterns. A key
- * switch would need an extra note between two strokes, in every pattern.
+ * (docs/midi.md). So any position can follow any other at once, from pads, keyboards and patterns.
+ * A key switch would need an extra note between two strokes, in every pattern.
  */
 #ifndef TABOR_HOST_LIBRARY_PLAN_H
 #define TABOR_HOST_LIBRARY_PLAN_H
@@ -67,11 +67,12 @@ typedef struct LibraryPlan {
 
 /** Number of sounds of a shape. */
 uint32_t library_count(const LibraryShape *shape);
-/** Velocities of layer @p layer of @p layers: the one that it is played with, and those that it serves. */
+/** Velocities of layer @p layer of @p layers: the one that it is played with, and those that it
+ * serves. */
 void library_set_layer(LibrarySound *sound, uint32_t layer, uint32_t layers);
 /**
- * Plans the sounds of @p def; file names start with library_stem() of @p preset. Free with library_plan_free(),
- * whatever the outcome.
+ * Plans the sounds of @p def; file names start with library_stem() of @p preset. Free with
+ * library_plan_free(), whatever the outcome.
  */
 Outcome library_plan_make(const TaborDrumDef *def, const char *preset, const LibraryShape *shape,
                           LibraryPlan *plan);

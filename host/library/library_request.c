@@ -143,7 +143,8 @@ static Outcome read_folder(const Arguments *arguments, LibraryRequest *request) 
   return request->instrument ? OUTCOME_OK : fail_memory();
 }
 
-/* As every sound of a drum will be. None of their names is taken: what is finished may be write-protected. */
+/* As every sound of a drum will be. None of their names is taken: what is finished may be
+ * write-protected. */
 static Outcome read_drum_rendering(const Arguments *arguments, LibraryRequest *request) {
   Arguments first;
   char *const path = folder_path(request->folder, ".tabor-sound.wav");

@@ -38,8 +38,8 @@ static bool sum_of_file(const char *path, uint64_t *sum) {
 
 /* ---- lines ---------------------------------------------------------------------------------- */
 
-/* The sound of this name, searched from @p from on around: lines are mostly in order. The number of sounds if
- * there is none. */
+/* The sound of this name, searched from @p from on around: lines are mostly in order. The number of
+ * sounds if there is none. */
 static size_t find(const LibraryPlan *plan, const char *file, size_t from) {
   for (size_t i = 0; i < plan->count; i++) {
     const size_t at = (from + i) % plan->count;

@@ -5,8 +5,9 @@
  *
  *     describe FOLDER BINARY [WINDOW]
  *
- * It writes manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets) to FOLDER. BINARY is the
- * name of the plugins' binary in FOLDER, WINDOW that of their window. The exit status is 1 on failure.
+ * It writes manifest.ttl, tabor.ttl (the plugins) and presets.ttl (factory presets) to FOLDER.
+ * BINARY is the name of the plugins' binary in FOLDER, WINDOW that of their window. The exit status
+ * is 1 on failure.
  */
 #include <ctype.h>
 #include <lv2/instance-access/instance-access.h>
@@ -66,7 +67,8 @@ static const InstrumentOutput *output_of(const InstrumentKind *kind, uint32_t ch
   return output;
 }
 
-/* Of the group of an output: the first is the pair of a drum, out_0 of a kit, whose others have their numbers. */
+/* Of the group of an output: the first is the pair of a drum, out_0 of a kit, whose others have
+ * their numbers. */
 static const char *output_symbol(const InstrumentKind *kind, const InstrumentOutput *output,
                                  char symbol[16]) {
   const unsigned number = (unsigned)(output - kind->outputs);

@@ -12,7 +12,8 @@ typedef struct PluginWords {
   const char *brief, *comment;
 } PluginWords;
 
-/** The beginning of a plugin: everything that a host shows in its list, and what the plugin requires. */
+/** The beginning of a plugin: everything that a host shows in its list, and what the plugin
+ * requires. */
 void put_plugin_words(const PluginWords *words);
 
 /* Lines of a port. */

@@ -18,8 +18,8 @@ typedef struct HostFeatures {
 } HostFeatures;
 
 /**
- * Finds what @p list has. False, and an error in the host's log after the plugin's @p name: something that is needed is
- * not there, or there are no models for the sample rate @p rate [Hz].
+ * Finds what @p list has. False, and an error in the host's log after the plugin's @p name:
+ * something that is needed is not there, or there are no models for the sample rate @p rate [Hz].
  */
 bool host_features_find(const LV2_Feature *const *list, double rate, const char *name,
                         HostFeatures *features);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file instance.h
- * An instance of an LV2 plugin: an instrument (plugin/instrument.h) in a host. instance.c creates, runs and destroys it; state.c
- * saves and restores what its ports do not say.
+ * An instance of an LV2 plugin: an instrument (plugin/instrument.h) in a host. instance.c creates,
+ * runs and destroys it; state.c saves and restores what its ports do not say.
  */
 #ifndef TABOR_LV2_INSTANCE_H
 #define TABOR_LV2_INSTANCE_H

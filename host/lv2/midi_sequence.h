@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_sequence.h
- * The MIDI messages of a run, frame by frame; at one frame controllers come before notes. AUDIO: all functions.
+ * The MIDI messages of a run, frame by frame; at one frame controllers come before notes. AUDIO:
+ * all functions.
  */
 #ifndef TABOR_LV2_MIDI_SEQUENCE_H
 #define TABOR_LV2_MIDI_SEQUENCE_H
@@ -15,7 +16,8 @@ typedef struct MidiSequence {
   uint32_t frames;   /**< of the run */
 } MidiSequence;
 
-/** Finds the next frame that has events, at least @p *frame and within the run. False: there is none. */
+/** Finds the next frame that has events, at least @p *frame and within the run. False: there is
+ * none. */
 bool midi_sequence_find(const MidiSequence *sequence, uint32_t *frame) REALTIME;
 
 /** What takes a message. */

@@ -9,8 +9,8 @@
  *     then              freewheel, ready
  *     then              knobs, in the order of the instrument
  *
- * But in the plugin with an output per microphone the one inside stands among the knobs, after PORT_INSIDE of them, where it was
- * the last port once.
+ * But in the plugin with an output per microphone the one inside stands among the knobs, after
+ * PORT_INSIDE of them, where it was the last port once.
  */
 #ifndef TABOR_LV2_PORTS_H
 #define TABOR_LV2_PORTS_H
@@ -37,8 +37,8 @@ typedef struct Port {
 #define PORT_INSIDE 14 /**< knobs of the multi-output plugin before the output inside */
 
 /**
- * Ports of pitches are logarithmic, so their range cannot begin at 0, where the knob is off: it begins at the lowest pitch,
- * which is off there, as is all below. Sessions from before have 0.
+ * Ports of pitches are logarithmic, so their range cannot begin at 0, where the knob is off: it
+ * begins at the lowest pitch, which is off there, as is all below. Sessions from before have 0.
  */
 static inline float port_minimum(const KnobRange *range) REALTIME {
   return range->least > 0 ? range->least : range->minimum;

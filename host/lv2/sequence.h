@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sequence.h
- * Reads the events of an LV2 atom sequence, which may be malformed. Nothing beyond its end is read. An atom that
- * is not a sequence has no events. AUDIO: all functions.
+ * Reads the events of an LV2 atom sequence, which may be malformed. Nothing beyond its end is read.
+ * An atom that is not a sequence has no events. AUDIO: all functions.
  */
 #ifndef TABOR_LV2_SEQUENCE_H
 #define TABOR_LV2_SEQUENCE_H

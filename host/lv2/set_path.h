@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file set_path.h
- * Reads the message by which a host gives a property a file: a patch:Set of an atom:Path. It may be malformed; nothing beyond
- * its end is read.
+ * Reads the message by which a host gives a property a file: a patch:Set of an atom:Path. It may be
+ * malformed; nothing beyond its end is read.
  */
 #ifndef TABOR_LV2_SET_PATH_H
 #define TABOR_LV2_SET_PATH_H
@@ -19,7 +19,8 @@ typedef struct SetPathUrids {
 
 /** SET-UP. */
 SetPathUrids set_path_urids(LV2_URID_Map *map);
-/** AUDIO. The path that @p event gives @p property, of *length bytes, not terminated; NULL if it gives none. */
+/** AUDIO. The path that @p event gives @p property, of *length bytes, not terminated; NULL if it
+ * gives none. */
 const char *set_path_read(const LV2_Atom_Event *event, const SetPathUrids *urids, LV2_URID property,
                           size_t *length) REALTIME;
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The binary has its own copy of what it shares with the plugins, so a window opens for an instance of its own build alone. */
+/* The binary has its own copy of what it shares with the plugins, so a window opens for an instance
+ * of its own build alone. */
 #include <lv2/atom/atom.h>
 #include <lv2/instance-access/instance-access.h>
 #include <lv2/options/options.h>

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file uris.h
- * URIs of the plugins and of the properties in their states. They never change, because sessions refer to them.
+ * URIs of the plugins and of the properties in their states. They never change, because sessions
+ * refer to them.
  */
 #ifndef TABOR_LV2_URIS_H
 #define TABOR_LV2_URIS_H
@@ -18,8 +19,9 @@
 #define URI_GROUP "urn:tabor:group:"         /**< a group of ports, with its symbol */
 #define URI_KIT_GROUP "urn:tabor:group:kit:" /**< the same of Tabor Kit */
 
-#define URI_STATE_VERSION "urn:tabor:state:version"       /**< atom:Int, STATE_VERSION */
-#define URI_STATE_DEFINITION "urn:tabor:state:definition" /**< atom:String, see definition_text.h */
+#define URI_STATE_VERSION "urn:tabor:state:version" /**< atom:Int, STATE_VERSION */
+/** atom:String, see definition_text.h */
+#define URI_STATE_DEFINITION "urn:tabor:state:definition"
 #define URI_STATE_CONTROL "urn:tabor:state:" /**< atom:Float, with a control's symbol */
 
 #define URI_DRUM_FILE                                                                              \

@@ -34,7 +34,8 @@ static const KitMapNote roland[] = {
   {53, 53, AS_IN_KIT},   /* ride, bell */
 };
 
-/* [YamahaDTX502], preset kits 1 to 49. "Snare (off)" is the snare drum; its strainer stays as it is. */
+/* [YamahaDTX502], preset kits 1 to 49. "Snare (off)" is the snare drum; its strainer stays as it
+ * is. */
 static const KitMapNote yamaha[] = {
   {36, 36, AS_IN_KIT},   /* kick 1 */
   {35, 35, AS_IN_KIT},   /* kick 2 */
@@ -86,8 +87,8 @@ static const KitMapNote alesis[] = {
   {51, 51, AS_IN_KIT}, /* ride */
 };
 
-/* [SuperiorDrummer3]: one program's list, less the notes on which another one contradicts it; 50, 54, 56, 58 and 83 mute
- * cymbals. */
+/* [SuperiorDrummer3]: one program's list, less the notes on which another one contradicts it; 50,
+ * 54, 56, 58 and 83 mute cymbals. */
 static const KitMapNote superior[] = {
   {36, 36, AS_IN_KIT},   /* kick */
   {38, 38, AS_IN_KIT},   /* snare */

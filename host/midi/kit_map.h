@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_map.h
- * Maps by name for what people play kits with: drum modules and drum plugins. A map has a row for each note of the
- * instrument: the note of General MIDI's percussion that it stands for, which names the drum or the sample of the kit,
- * and how the drum is struck. Choke notes of cymbals and layers of the user are left out; such notes play nothing.
+ * Maps by name for what people play kits with: drum modules and drum plugins. A map has a row for
+ * each note of the instrument: the note of General MIDI's percussion that it stands for, which
+ * names the drum or the sample of the kit, and how the drum is struck. Choke notes of cymbals and
+ * layers of the user are left out; such notes play nothing.
  *
- * The rim of a module's pad is a rimshot: "head shot and rim shot" are the head and the rim in [RolandTD27]. Yamaha's open
- * rim is a rimshot, its closed rim a cross-stick.
+ * The rim of a module's pad is a rimshot: "head shot and rim shot" are the head and the rim in
+ * [RolandTD27]. Yamaha's open rim is a rimshot, its closed rim a cross-stick.
  */
 #ifndef TABOR_HOST_KIT_MAP_H
 #define TABOR_HOST_KIT_MAP_H
@@ -33,7 +34,8 @@ extern const size_t kit_map_count;
 
 /** The map called @p name, or NULL. */
 const KitMap *kit_map_find(const char *name);
-/** Writes a row for every note to @p table; @p map NULL: General MIDI, each note stands for itself. */
+/** Writes a row for every note to @p table; @p map NULL: General MIDI, each note stands for itself.
+ */
 void kit_map_table(const KitMap *map, KitMapNote table[MIDI_VALUES]);
 
 #endif

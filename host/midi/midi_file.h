@@ -1,19 +1,22 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_file.h
- * Standard MIDI Files, formats 0 and 1, also inside RIFF (RMID): channel messages with their times in seconds. The one
- * reader of the program, the Python package and the web page: it opens and prints nothing.
+ * Standard MIDI Files, formats 0 and 1, also inside RIFF (RMID): channel messages with their times
+ * in seconds. The one reader of the program, the Python package and the web page: it opens and
+ * prints nothing.
  *
- * Tracks are merged by time, then by their order in the file. All tracks that are there play, whatever the header
- * announces. A tempo change in any track applies to all tracks from its tick on; the initial tempo is 120 quarters a
- * minute. An SMPTE division has no tempo. The reader skips meta events other than tempo and end of track, system
- * exclusive data and chunks that are not tracks.
+ * Tracks are merged by time, then by their order in the file. All tracks that are there play,
+ * whatever the header announces. A tempo change in any track applies to all tracks from its tick
+ * on; the initial tempo is 120 quarters a minute. An SMPTE division has no tempo. The reader skips
+ * meta events other than tempo and end of track, system exclusive data and chunks that are not
+ * tracks.
  *
- * What is wrong and touches no note is passed over with a warning: a data byte over 127 in any other message, a system
- * message, a tempo of 0 or of another length than three bytes, a meta event of a wrong length, a time of five to eight
- * bytes, bytes between chunks and behind the end of a track, a wrong number of tracks, an event other than a
- * note in which a track breaks off. Everything else that is wrong or truncated is refused. Messages begin with the byte's offset
- * in the file. Work and memory are proportional to the file's size.
+ * What is wrong and touches no note is passed over with a warning: a data byte over 127 in any
+ * other message, a system message, a tempo of 0 or of another length than three bytes, a meta event
+ * of a wrong length, a time of five to eight bytes, bytes between chunks and behind the end of a
+ * track, a wrong number of tracks, an event other than a note in which a track breaks off.
+ * Everything else that is wrong or truncated is refused. Messages begin with the byte's offset in
+ * the file. Work and memory are proportional to the file's size.
  */
 #ifndef TABOR_HOST_MIDI_FILE_H
 #define TABOR_HOST_MIDI_FILE_H

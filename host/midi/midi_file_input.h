@@ -14,9 +14,11 @@
 #define OPTION_STRICT                                                                              \
   { "strict", 0, NULL, "refuse a MIDI file in which anything is wrong, instead of a warning" }
 
-/** Reads the file @p name, "-" for standard input. Free with midi_file_free(), whatever the outcome. */
+/** Reads the file @p name, "-" for standard input. Free with midi_file_free(), whatever the
+ * outcome. */
 Outcome midi_file_read(const char *name, bool strict, MidiFile *file);
-/** Reads the file of --midi-file, which is there, with --strict and --mask-time. Free it in the same way. */
+/** Reads the file of --midi-file, which is there, with --strict and --mask-time. Free it in the
+ * same way. */
 Outcome midi_file_of_arguments(const Arguments *arguments, MidiFile *file);
 /** Reads a file from @p size bytes in memory; messages call it @p name. */
 Outcome midi_file_parse(const char *name, const void *bytes, size_t size, bool strict,

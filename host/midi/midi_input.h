@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_input.h
- * Live MIDI: opens all wanted inputs, including those plugged in later, and one virtual input of our own
- * per interface, to which other programs may connect.
+ * Live MIDI: opens all wanted inputs, including those plugged in later, and one virtual input of
+ * our own per interface, to which other programs may connect.
  *
- * RtMidi delivers each input's messages on a thread of its own, which puts them into a queue. One thread of
- * ours passes them on in order. Another checks every second for inputs that appeared or disappeared.
- * Messages above 1000 a second after the first 64, more than a person can play, are dropped and counted,
- * because they would disturb the sound.
+ * RtMidi delivers each input's messages on a thread of its own, which puts them into a queue. One
+ * thread of ours passes them on in order. Another checks every second for inputs that appeared or
+ * disappeared. Messages above 1000 a second after the first 64, more than a person can play, are
+ * dropped and counted, because they would disturb the sound.
  */
 #ifndef TABOR_HOST_MIDI_INPUT_H
 #define TABOR_HOST_MIDI_INPUT_H
@@ -35,15 +35,15 @@ typedef struct MidiInputStatus {
 } MidiInputStatus;
 
 /**
- * Opens the inputs whose names contain @p wanted; NULL: all hardware inputs. Finding none is no failure,
- * because one may appear later. Prints which inputs open and disappear unless @p quiet. *input is NULL on
- * a failure.
+ * Opens the inputs whose names contain @p wanted; NULL: all hardware inputs. Finding none is no
+ * failure, because one may appear later. Prints which inputs open and disappear unless @p quiet.
+ * *input is NULL on a failure.
  */
 Outcome midi_input_open(const char *wanted, bool quiet, MidiInputFn *receive, void *context,
                         MidiInput **input);
 void midi_input_status(const MidiInput *input, MidiInputStatus *status);
-/** Closes the inputs; no message comes afterwards. An interface that does not close within a second is
- * left open. NULL is allowed. */
+/** Closes the inputs; no message comes afterwards. An interface that does not close within a second
+ * is left open. NULL is allowed. */
 void midi_input_close(MidiInput *input);
 
 #endif

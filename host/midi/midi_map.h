@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_map.h
- * Maps notes to strokes and controllers to parameters: a plain table, the same for live playing, MIDI
- * files and the plugins.
+ * Maps notes to strokes and controllers to parameters: a plain table, the same for live playing,
+ * MIDI files and the plugins.
  *
- * | note                    | stroke          |   | controller       | moves                          |
- * |-------------------------|-----------------|---|------------------|--------------------------------|
- * | 38, 41 43 45 47 48 50   | head            |   | 16               | radius of strokes on the head  |
- * | 36                      | head, at centre |   | 17               | their angle                    |
- * | 40                      | rimshot         |   | 1                | grip                           |
- * | 37                      | cross-stick     |   | 20               | strainer, 64 is the preset's   |
- * | 39                      | rim             |   | 7 and 11         | gain                           |
- * | others                  | none            |   | 120 and 123      | silence                        |
+ * | note                  | stroke          |   | controller  | moves                         |
+ * |-----------------------|-----------------|---|-------------|-------------------------------|
+ * | 38, 41 43 45 47 48 50 | head            |   | 16          | radius of strokes on the head |
+ * | 36                    | head, at centre |   | 17          | their angle                   |
+ * | 40                    | rimshot         |   | 1           | grip                          |
+ * | 37                    | cross-stick     |   | 20          | strainer, 64 is the preset's  |
+ * | 39                    | rim             |   | 7 and 11    | gain                          |
+ * | others                | none            |   | 120 and 123 | silence                       |
  */
 #ifndef TABOR_HOST_MIDI_MAP_H
 #define TABOR_HOST_MIDI_MAP_H
@@ -22,12 +22,13 @@
 #include "midi/midi_stream.h"
 
 #define MIDI_OMNI (-1) /**< every channel */
-/** Controller for the low bits of the next note's velocity (MIDI's CA-031), unless the map uses it. */
+/** Controller for the low bits of the next note's velocity (MIDI's CA-031), unless the map uses it.
+ */
 #define MIDI_HIGH_RESOLUTION_PREFIX 88
 
 /**
- * True for notes, pressure and velocity prefixes. At one frame, these messages act last and keep their
- * order; controllers and program changes act first.
+ * True for notes, pressure and velocity prefixes. At one frame, these messages act last and keep
+ * their order; controllers and program changes act first.
  */
 static inline bool midi_goes_with_notes(const MidiMessage *message) {
   const uint8_t kind = midi_kind(message);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_map_file.h
- * `--midi-map`: reads a MIDI map from a file. The file changes the default map or, with `defaults = no`,
- * replaces it. It is an INI file and checked like a preset (preset_file.h):
+ * `--midi-map`: reads a MIDI map from a file. The file changes the default map or, with `defaults =
+ * no`, replaces it. It is an INI file and checked like a preset (preset_file.h):
  *
  *     [map]                   ; comes first
  *     channel = 10            ; 1 to 16, or omni
@@ -33,10 +33,12 @@
 
 /** Reads file @p path into *map; refuses an error with its line number. */
 Outcome midi_map_file_read(const char *path, MidiMap *map);
-/** Reads what follows `moves =`: a live key, which moves over its whole range, or radius, angle, grip, strainer, gain, silence
- * or none. Refuses other text with a message that starts with @p where. */
+/** Reads what follows `moves =`: a live key, which moves over its whole range, or radius, angle,
+ * grip, strainer, gain, silence or none. Refuses other text with a message that starts with @p
+ * where. */
 Outcome midi_control_read(const char *where, const char *text, MidiControl *control);
-/** Adds to map file @p path that @p controller moves what @p text says; it wins over what the file has said before. */
+/** Adds to map file @p path that @p controller moves what @p text says; it wins over what the file
+ * has said before. */
 Outcome midi_map_file_add(const char *path, int controller, const char *text);
 /** Reads soft, linear or hard; refuses other text with a message that starts with @p where. */
 Outcome midi_curve_read(const char *where, const char *text, MidiCurve *curve);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_mask.h
- * A mask time against double triggers: a pad that shakes may send a second note for one stroke. A note that begins within
- * the mask time of the last one of its channel and number that was played is not played.
+ * A mask time against double triggers: a pad that shakes may send a second note for one stroke. A
+ * note that begins within the mask time of the last one of its channel and number that was played
+ * is not played.
  */
 #ifndef TABOR_HOST_MIDI_MASK_H
 #define TABOR_HOST_MIDI_MASK_H

@@ -28,8 +28,8 @@
 /** Writes --velocity-curve and --velocity-range, if given, to *response. */
 Outcome midi_response_read(const Arguments *arguments, MidiResponse *response);
 /**
- * Reads the default map, or the map of --midi-map, and applies the other options above. Refuses a map that
- * names a striker unknown to @p def.
+ * Reads the default map, or the map of --midi-map, and applies the other options above. Refuses a
+ * map that names a striker unknown to @p def.
  */
 Outcome midi_map_read(const Arguments *arguments, const TaborDrumDef *def, MidiMap *map);
 

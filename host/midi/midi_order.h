@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_order.h
- * The order in which the messages of a MIDI file act: by frames; at one frame, controllers and program changes
- * before notes, in every track; messages of one kind in the order of the file.
+ * The order in which the messages of a MIDI file act: by frames; at one frame, controllers and
+ * program changes before notes, in every track; messages of one kind in the order of the file.
  */
 #ifndef TABOR_HOST_MIDI_ORDER_H
 #define TABOR_HOST_MIDI_ORDER_H
@@ -16,8 +16,8 @@ typedef struct MidiPlace {
   size_t index; /**< in the file */
 } MidiPlace;
 
-/** The messages of @p file in their order at @p rate [Hz], as many as the file has; the caller frees them with free().
- * NULL without memory. */
+/** The messages of @p file in their order at @p rate [Hz], as many as the file has; the caller
+ * frees them with free(). NULL without memory. */
 MidiPlace *midi_order(const MidiFile *file, double rate);
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_port.h
- * MIDI inputs through RtMidi, for every interface that works on this machine: ALSA's sequencer, JACK, and
- * the interfaces of other systems.
+ * MIDI inputs through RtMidi, for every interface that works on this machine: ALSA's sequencer,
+ * JACK, and the interfaces of other systems.
  *
- * RtMidi prints failures to standard error, so an interface is used only if it is known to work. All
- * functions are for one thread that may wait.
+ * RtMidi prints failures to standard error, so an interface is used only if it is known to work.
+ * All functions are for one thread that may wait.
  */
 #ifndef TABOR_HOST_MIDI_PORT_H
 #define TABOR_HOST_MIDI_PORT_H
@@ -34,7 +34,8 @@ typedef struct MidiPorts {
   size_t count;
 } MidiPorts;
 
-/** Receives a message of @p size bytes, @p later [s] after the previous one. Called on a thread of RtMidi's. */
+/** Receives a message of @p size bytes, @p later [s] after the previous one. Called on a thread of
+ * RtMidi's. */
 typedef void MidiPortFn(double later, const unsigned char *bytes, size_t size, void *context);
 
 /** Finds the interfaces; silences libraries that print. */

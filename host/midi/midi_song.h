@@ -3,10 +3,11 @@
  * @file midi_song.h
  * A MIDI file converted to actions of a drum, each at its frame.
  *
- * At one frame, controllers and program changes act before notes, in every track; messages of one kind keep
- * the file's order. After a program change the chosen preset plays as listed, without the changes that
- * --set made to the first preset. The last program change at a frame wins and is applied first. A change
- * to the current preset does nothing.
+ * At one frame, controllers and program changes act before notes, in every track; messages of one
+ * kind keep the file's order. After a program change the chosen preset plays as listed, without the
+ * changes that
+ * --set made to the first preset. The last program change at a frame wins and is applied first. A
+ * change to the current preset does nothing.
  */
 #ifndef TABOR_HOST_MIDI_SONG_H
 #define TABOR_HOST_MIDI_SONG_H
@@ -35,11 +36,14 @@ typedef struct MidiSong {
   MidiCounts counts;
 } MidiSong;
 
-/** Refuses a file that is longer than MIDI_SONG_LONGEST: false, and the reason in @p error. To be asked before a song is composed. */
+/** Refuses a file that is longer than MIDI_SONG_LONGEST: false, and the reason in @p error. To be
+ * asked before a song is composed. */
 bool midi_song_check_time(const MidiFile *file, char error[MIDI_FILE_TEXT]);
-/** Converts the song's file with @p map for the drum @p def at @p rate [Hz], also once more for another one. False without memory. */
+/** Converts the song's file with @p map for the drum @p def at @p rate [Hz], also once more for
+ * another one. False without memory. */
 bool midi_song_compose(MidiSong *song, const MidiMap *map, const TaborDrumDef *def, double rate);
-/** Refuses a composed song that has no stroke, or too much of something: false, and the reason in @p error. */
+/** Refuses a composed song that has no stroke, or too much of something: false, and the reason in
+ * @p error. */
 bool midi_song_check(const MidiSong *song, const MidiMap *map, char error[MIDI_FILE_TEXT]);
 /** The same for the number of strokes alone, of a drum or a kit. */
 bool midi_song_check_strokes(uint64_t strokes, char error[MIDI_FILE_TEXT]);

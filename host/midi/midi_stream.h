@@ -3,9 +3,9 @@
  * @file midi_stream.h
  * Parses MIDI bytes from a cable or port into channel messages.
  *
- * The parser handles running status, real-time bytes inside other messages and truncated messages. It skips
- * system exclusive data of any length. The work per byte is bounded; nothing is allocated. AUDIO: all
- * functions. Use one stream per source.
+ * The parser handles running status, real-time bytes inside other messages and truncated messages.
+ * It skips system exclusive data of any length. The work per byte is bounded; nothing is allocated.
+ * AUDIO: all functions. Use one stream per source.
  */
 #ifndef TABOR_HOST_MIDI_STREAM_H
 #define TABOR_HOST_MIDI_STREAM_H

@@ -1,21 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file midi_to_events.h
- * Converts MIDI messages to actions of a drum: events for the engine, and gain, preset changes and silence.
- * A message is a bounded amount of work and gives at most MIDI_MOST_ACTIONS actions. There are no side effects.
+ * Converts MIDI messages to actions of a drum: events for the engine, and gain, preset changes and
+ * silence. A message is a bounded amount of work and gives at most MIDI_MOST_ACTIONS actions. There
+ * are no side effects.
  *
- * Strokes take radius and angle from the controllers, or from the preset's [strike] until a controller has
- * moved. Pressure lays a hand on the head at half its radius, opposite to the preset's stroke: from
- * 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. 6 N s/m mutes best; a stronger hand would hold the
- * head still under it and let the rest of the head ring.
+ * Strokes take radius and angle from the controllers, or from the preset's [strike] until a
+ * controller has moved. Pressure lays a hand on the head at half its radius, opposite to the
+ * preset's stroke: from 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. 6 N s/m mutes best; a
+ * stronger hand would hold the head still under it and let the rest of the head ring.
  *
- * Controller 121 undoes what MIDI's RP-015 names: expression (11) goes to 127, modulation (1) to 0, if they have moved; hands
- * that pressure has laid on the head are lifted, and a prefix is forgotten. Volume (7) and the places of strokes (16, 17) and the
- * strainer (20) stay.
+ * Controller 121 undoes what MIDI's RP-015 names: expression (11) goes to 127, modulation (1) to 0,
+ * if they have moved; hands that pressure has laid on the head are lifted, and a prefix is
+ * forgotten. Volume (7) and the places of strokes (16, 17) and the strainer (20) stay.
  *
- * A sweep note starts at the position of strokes and circles the centre. Its speed is proportional to the
- * velocity and equals the brush's sweep_speed at 64. Controllers of the position then move the brush. Key
- * pressure of the note, and channel pressure during the note, set the pressure of the brush.
+ * A sweep note starts at the position of strokes and circles the centre. Its speed is proportional
+ * to the velocity and equals the brush's sweep_speed at 64. Controllers of the position then move
+ * the brush. Key pressure of the note, and channel pressure during the note, set the pressure of
+ * the brush.
  */
 #ifndef TABOR_HOST_MIDI_TO_EVENTS_H
 #define TABOR_HOST_MIDI_TO_EVENTS_H

@@ -6,8 +6,8 @@
 #include <pthread.h> /* on Windows the clocks are those of its threads' library */
 #include <time.h>
 
-/* Time [s]. Any thread. Windows counts processor time in steps of 15.6 ms, longer than a block of sound: there the
- * clocks of processor time show the time that has passed. */
+/* Time [s]. Any thread. Windows counts processor time in steps of 15.6 ms, longer than a block of
+ * sound: there the clocks of processor time show the time that has passed. */
 static inline double stopwatch_seconds(clockid_t clock) {
   struct timespec now = {0};
 #ifdef _WIN32
@@ -21,8 +21,8 @@ static inline double stopwatch_seconds(clockid_t clock) {
 /* Processor time [s] of the calling thread, where other threads compute something else. */
 static inline double processor_seconds(void) { return stopwatch_seconds(CLOCK_THREAD_CPUTIME_ID); }
 
-/* Processor time [s] of all threads, where they compute one thing together. It includes the turns for which they wait
- * for one another. */
+/* Processor time [s] of all threads, where they compute one thing together. It includes the turns
+ * for which they wait for one another. */
 static inline double process_seconds(void) { return stopwatch_seconds(CLOCK_PROCESS_CPUTIME_ID); }
 
 /* Sleeps until CLOCK_MONOTONIC shows @p time [s]. macOS has no clock_nanosleep(). */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file files.h
- * Files by their paths, which are UTF-8 on Windows and bytes elsewhere. A function that fails sets errno.
- * Descriptors are for read(), write(), lseek(), ftruncate() and close(), and never translate line ends.
+ * Files by their paths, which are UTF-8 on Windows and bytes elsewhere. A function that fails sets
+ * errno. Descriptors are for read(), write(), lseek(), ftruncate() and close(), and never translate
+ * line ends.
  */
 #ifndef TABOR_HOST_FILES_H
 #define TABOR_HOST_FILES_H
@@ -42,24 +43,30 @@ FILE *file_stream_to_read(const char *path);
 int file_open_to_read(const char *path);
 /** Descriptor to write to an existing file or device, or -1. */
 int file_open_to_write(const char *path);
-/** Creates a new file; replaces the XXXXXX that end @p path by letters. Returns its descriptor, or -1. */
+/** Creates a new file; replaces the XXXXXX that end @p path by letters. Returns its descriptor, or
+ * -1. */
 int file_create_unique(char *path);
 /** Creates a new file; fails if the name is taken. Returns its descriptor, or -1. */
 int file_create_new(const char *path);
-/** Gives a new file the permissions of @p older, or with NULL those that a new file has. Not for two threads at once. */
+/** Gives a new file the permissions of @p older, or with NULL those that a new file has. Not for
+ * two threads at once. */
 void file_take_permissions(int descriptor, const FileStatus *older);
 /** A temporary file without a name, which goes when it is closed; NULL if there is none. */
 FILE *file_stream_unnamed(void);
 /** Descriptor of the null device, or -1. */
 int file_open_nowhere(bool to_write);
-/** Another descriptor of the same file, which child processes do not inherit; -1 if there is none. */
+/** Another descriptor of the same file, which child processes do not inherit; -1 if there is none.
+ */
 int file_duplicate(int descriptor);
 
-/** The same file from any folder: @p path, which must exist, from the root. The caller frees the result; NULL on an error. */
+/** The same file from any folder: @p path, which must exist, from the root. The caller frees the
+ * result; NULL on an error. */
 char *file_absolute(const char *path);
-/** Follows symbolic links at the end of @p path; the file need not exist. The caller frees the result. */
+/** Follows symbolic links at the end of @p path; the file need not exist. The caller frees the
+ * result. */
 char *file_follow_links(const char *path);
-/** Gives the file @p from the second name @p to. Fails if that is taken, or the file system has no such names. */
+/** Gives the file @p from the second name @p to. Fails if that is taken, or the file system has no
+ * such names. */
 bool file_link(const char *from, const char *to);
 /** Renames; replaces a file of the name @p to. */
 bool file_rename(const char *from, const char *to);
@@ -67,7 +74,8 @@ bool file_rename(const char *from, const char *to);
 bool file_remove(const char *path);
 
 bool folder_make(const char *path);
-/** Calls @p visit for the name of each file of a folder, in no order; a file may be removed meanwhile. */
+/** Calls @p visit for the name of each file of a folder, in no order; a file may be removed
+ * meanwhile. */
 void folder_visit(const char *folder, void (*visit)(void *context, const char *name),
                   void *context);
 

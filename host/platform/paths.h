@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file paths.h
- * What paths look like: POSIX separates names with '/', Windows also with '\' and after a drive's ':'.
+ * What paths look like: POSIX separates names with '/', Windows also with '\' and after a drive's
+ * ':'.
  */
 #ifndef TABOR_HOST_PATHS_H
 #define TABOR_HOST_PATHS_H

@@ -10,13 +10,14 @@
 #include <stddef.h>
 
 /**
- * Prepares the standard streams, and on Windows makes the arguments UTF-8. The first call of main(). Keeps the
- * arguments as they are where memory is short.
+ * Prepares the standard streams, and on Windows makes the arguments UTF-8. The first call of
+ * main(). Keeps the arguments as they are where memory is short.
  */
 void process_begin(int *argc, char ***argv);
 /** Processors in use; at least 1. */
 unsigned process_processors(void);
-/** Function @p name of the libraries that this process has loaded; NULL if there is none. Never any on Windows. */
+/** Function @p name of the libraries that this process has loaded; NULL if there is none. Never any
+ * on Windows. */
 void *process_loaded_function(const char *name);
 
 /** Memory aligned to @p alignment, a power of two. Free it with process_free_aligned(). */

@@ -8,7 +8,8 @@
 
 /** Loads libsndfile, NULL if the system has none. */
 void *shared_library_sndfile(void);
-/** Copies the address of a function, named @p name, to *function; leaves NULL there if there is none. */
+/** Copies the address of a function, named @p name, to *function; leaves NULL there if there is
+ * none. */
 void shared_library_find(void *library, const char *name, void *function);
 void shared_library_close(void *library);
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file signals.h
- * What ends a program from outside: signals on POSIX; on Windows Ctrl-C, Ctrl-Break, closing the console and
- * logging off, which have the numbers of SIGINT, SIGQUIT, SIGHUP and SIGTERM.
+ * What ends a program from outside: signals on POSIX; on Windows Ctrl-C, Ctrl-Break, closing the
+ * console and logging off, which have the numbers of SIGINT, SIGQUIT, SIGHUP and SIGTERM.
  */
 #ifndef TABOR_HOST_SIGNALS_H
 #define TABOR_HOST_SIGNALS_H
@@ -23,9 +23,9 @@ typedef struct SignalHandler {
 #endif
 
 /**
- * Lets @p end be called with the number of what would end the program. On POSIX it runs in any thread that does not
- * block these signals, with them blocked; on Windows in a thread of its own. Also lets writing to a closed pipe, or
- * beyond a limit, be an error of the write.
+ * Lets @p end be called with the number of what would end the program. On POSIX it runs in any
+ * thread that does not block these signals, with them blocked; on Windows in a thread of its own.
+ * Also lets writing to a closed pipe, or beyond a limit, be an error of the write.
  */
 void signals_install(void (*end)(int number));
 /** True if there is no time to end in good order after this one. */

@@ -5,7 +5,8 @@
 
 #define HANG_UP 1
 #define QUIT 3
-#define PATIENCE 5000 /* [ms]: how long Windows lets a program live whose console is being closed */
+/* [ms]: how long Windows lets a program live whose console is being closed */
+#define PATIENCE 5000
 
 static void (*volatile end_program)(int number); /* a handler has no other way to know */
 

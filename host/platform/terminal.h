@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file terminal.h
- * Terminal input and output during play: keys come singly and without echo, and a full screen can be
- * drawn. However the program ends or is suspended, also by signals and failed assertions, the terminal's
- * earlier settings and screen are restored.
+ * Terminal input and output during play: keys come singly and without echo, and a full screen can
+ * be drawn. However the program ends or is suspended, also by signals and failed assertions, the
+ * terminal's earlier settings and screen are restored.
  *
- * The state is global: there is one terminal per process. One thread uses these functions; any thread and
- * signal handlers may call terminal_restore().
+ * The state is global: there is one terminal per process. One thread uses these functions; any
+ * thread and signal handlers may call terminal_restore().
  */
 #ifndef TABOR_HOST_TERMINAL_H
 #define TABOR_HOST_TERMINAL_H
@@ -30,9 +30,9 @@ TerminalAbilities terminal_abilities(void);
 
 /**
  * Switches to single keys and, with @p screen, to an empty screen with a hidden cursor. Requires
- * TerminalAbilities.keys. False, with errno, if the settings cannot be changed. Installs handlers for SIGTSTP,
- * SIGCONT, SIGWINCH and the signals of crashes; for signals that end the program, give terminal_restore() to
- * interrupt_at_end().
+ * TerminalAbilities.keys. False, with errno, if the settings cannot be changed. Installs handlers
+ * for SIGTSTP, SIGCONT, SIGWINCH and the signals of crashes; for signals that end the program, give
+ * terminal_restore() to interrupt_at_end().
  */
 bool terminal_enter(bool screen);
 /** Undoes terminal_enter(). May be called at any time, also twice. */
@@ -41,13 +41,13 @@ void terminal_leave(void);
 void terminal_restore(void);
 
 /**
- * Waits up to @p timeout milliseconds for keys. Returns the number of bytes read; 0 if none came in that time,
- * or in the background; -1 once the terminal is gone.
+ * Waits up to @p timeout milliseconds for keys. Returns the number of bytes read; 0 if none came in
+ * that time, or in the background; -1 once the terminal is gone.
  */
 ptrdiff_t terminal_read(unsigned char *bytes, size_t size, int timeout);
 /**
- * Writes @p bytes to the terminal without waiting for it. False if not all bytes were written, also in the
- * background.
+ * Writes @p bytes to the terminal without waiting for it. False if not all bytes were written, also
+ * in the background.
  */
 bool terminal_write(const char *bytes, size_t size);
 TerminalSize terminal_size(void);

@@ -98,8 +98,9 @@ static bool take(void) {
   return true;
 }
 
-/* Not waiting for output to drain: nobody may be reading it. Keys not read yet are forgotten, so that the
-   end of a roll is not typed into the shell. In the background the terminal is another's. */
+/* Not waiting for output to drain: nobody may be reading it. Keys not read yet are forgotten, so
+   that the end of a roll is not typed into the shell. In the background the terminal is another's.
+ */
 void terminal_restore(void) {
   if (!atomic_exchange(&is_ours, false) || !in_foreground()) return;
   if (wants_screen) write_all(screen_off, sizeof screen_off - 1);
@@ -161,7 +162,8 @@ static void on_change(int number, siginfo_t *info, void *context) {
   atomic_store(&has_changed, true);
 }
 
-/* Then as without us: a fault happens again when its instruction is repeated, others are sent again. */
+/* Then as without us: a fault happens again when its instruction is repeated, others are sent
+ * again. */
 static void on_crash(int number, siginfo_t *info, void *context) {
   (void)context;
   terminal_restore();

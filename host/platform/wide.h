@@ -8,7 +8,8 @@
 
 #include <wchar.h>
 
-/** UTF-16 of UTF-8. The caller frees it; NULL with errno if memory is short or @p text is not UTF-8. */
+/** UTF-16 of UTF-8. The caller frees it; NULL with errno if memory is short or @p text is not
+ * UTF-8. */
 wchar_t *wide_from_utf8(const char *text);
 /** UTF-8 of UTF-16, likewise. */
 char *wide_to_utf8(const wchar_t *text);

@@ -55,8 +55,8 @@ extern const Backend backend_portaudio; /* backend_portaudio.c */
 extern const Backend backend_null;      /* backend_thread.c: paced by a clock, inaudible */
 extern const Backend backend_file;      /* backend_thread.c: as fast as possible */
 
-/** Reads --backend, --device and --buffer, the latter two to @p request. Refuses an unknown backend, and what does not go with
- * it. */
+/** Reads --backend, --device and --buffer, the latter two to @p request. Refuses an unknown
+ * backend, and what does not go with it. */
 Outcome backend_read(const Arguments *arguments, const Backend **backend, BackendRequest *request);
 
 #endif

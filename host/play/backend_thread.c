@@ -2,9 +2,9 @@
 /*
  * Output without a device: a thread of this file requests the blocks.
  *
- * "null" requests a block whenever the clock shows that the last one has been played. It is for trials on a
- * machine without sound. "file" requests blocks as fast as possible, for the recording alone; its time is
- * the time of the sound.
+ * "null" requests a block whenever the clock shows that the last one has been played. It is for
+ * trials on a machine without sound. "file" requests blocks as fast as possible, for the recording
+ * alone; its time is the time of the sound.
  */
 #include <pthread.h>
 #include <stdatomic.h>
@@ -67,7 +67,8 @@ static void close_stream(BackendStream *stream) {
 
 /* ---- null ----------------------------------------------------------------------------------- */
 
-/* A block that comes later than it would have to be heard is a gap; the clock goes on from there. */
+/* A block that comes later than it would have to be heard is a gap; the clock goes on from there.
+ */
 static void ask_by_the_clock(BackendStream *stream) {
   const BackendClient *const client = &stream->client;
   const double period = stream->buffer / stream->rate;

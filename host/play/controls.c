@@ -184,7 +184,8 @@ static void strike(Controls *controls, double place, double speed, double time) 
   controls->last_speed = speed;
 }
 
-/* Those that the engine knows stand in its table, in the order of their numbers: -1 if it is none of them. */
+/* Those that the engine knows stand in its table, in the order of their numbers: -1 if it is none
+ * of them. */
 static int find_technique(const char *technique) {
   const TaborParameter *const parameter = tabor_parameter_find("strike.technique");
   const char *word = parameter ? parameter->choices : NULL;
@@ -486,8 +487,8 @@ static bool is_of_this_kind(const Controls *controls, const char *path) {
   return is_kit;
 }
 
-/* Keeps what the user wrote: only a drum is replaced by a drum, and a kit by a kit, and only what this session has saved or
-   opened before, unless it is told to. */
+/* Keeps what the user wrote: only a drum is replaced by a drum, and a kit by a kit, and only what
+   this session has saved or opened before, unless it is told to. */
 static Outcome check_replaced(const Controls *controls, const char *path, bool replaces) {
   const char *const kind = controls->kit ? "kit" : "drum";
   if (!file_exists(path)) return OUTCOME_OK;
@@ -521,7 +522,8 @@ static char *drum_text(const Controls *controls) {
   return text;
 }
 
-/* With its drums as they are now, and sound files where they are, wherever the kit's file will be. */
+/* With its drums as they are now, and sound files where they are, wherever the kit's file will be.
+ */
 static char *kit_text(const Controls *controls, const char *path) {
   TaborError error;
   TaborKitDef *const kit = malloc(sizeof *kit);

@@ -27,7 +27,8 @@ Outcome cue_queue_add_strokes(CueQueue *queue, const Strokes *strokes) {
   return outcome;
 }
 
-/* While they are sorted, the cues' places stand in the events' frames, which have no meaning there. */
+/* While they are sorted, the cues' places stand in the events' frames, which have no meaning there.
+ */
 static int compare_cues(const void *left, const void *right) {
   const Cue *const a = left, *const b = right;
   if (a->message.frame != b->message.frame) return a->message.frame < b->message.frame ? -1 : 1;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file drum_history.h
- * Changes of a drum that can be undone and redone: whole definitions, so that whatever a change has replaced comes back.
+ * Changes of a drum that can be undone and redone: whole definitions, so that whatever a change has
+ * replaced comes back.
  */
 #ifndef TABOR_HOST_DRUM_HISTORY_H
 #define TABOR_HOST_DRUM_HISTORY_H
@@ -31,11 +32,12 @@ typedef struct DrumHistory {
 } DrumHistory;
 
 void drum_history_clear(DrumHistory *history);
-/** Adds a change of @p key to @p before. Forgets those that are undone and, if there is no room, the oldest. */
+/** Adds a change of @p key to @p before. Forgets those that are undone and, if there is no room,
+ * the oldest. */
 void drum_history_add(DrumHistory *history, const char *key, const DrumState *before);
 /**
- * Undoes the newest change, or redoes the one that was undone last, on the drum *state: writes what it is then to *state, and
- * the change's key. False if there is none.
+ * Undoes the newest change, or redoes the one that was undone last, on the drum *state: writes what
+ * it is then to *state, and the change's key. False if there is none.
  */
 bool drum_history_undo(DrumHistory *history, DrumState *state, char key[DRUM_KEY_SIZE]);
 bool drum_history_redo(DrumHistory *history, DrumState *state, char key[DRUM_KEY_SIZE]);

@@ -40,7 +40,8 @@ static Outcome open_device(LiveSession *session) {
   return outcome;
 }
 
-/* Without a clock there is nobody to play: then it is as a rendering, with the preset's own stroke. */
+/* Without a clock there is nobody to play: then it is as a rendering, with the preset's own stroke.
+ */
 static Outcome read_strokes(LiveSession *session, Strokes *strokes) {
   PlayRequest *const request = session->request;
   *strokes = (Strokes){0};
@@ -284,7 +285,8 @@ static bool is_alive(const LiveSession *session, Pulse *pulse) {
   const Backend *const backend = session->request->backend;
   const double now = stopwatch_seconds(CLOCK_MONOTONIC);
   const uint64_t position = player_position(session->player);
-  /* a turn of this thread that took long, as when the program was suspended, counts as a short one */
+  /* a turn of this thread that took long, as when the program was suspended, counts as a short one
+   */
   pulse->silent += fmin(now - pulse->seen, MOST_TURN);
   pulse->seen = now;
   if (position != pulse->position || backend->waits) pulse->silent = 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file live_session.h
- * A drum or a kit played on a device: everything that `tabor play` opens, runs and closes. All functions are for the
- * user's thread.
+ * A drum or a kit played on a device: everything that `tabor play` opens, runs and closes. All
+ * functions are for the user's thread.
  */
 #ifndef TABOR_HOST_LIVE_SESSION_H
 #define TABOR_HOST_LIVE_SESSION_H
@@ -47,15 +47,15 @@ typedef struct LiveSessionTurn {
 /** Opens the device and builds the drum. Close with live_session_close(), whatever the outcome. */
 Outcome live_session_open(LiveSession *session, PlayRequest *request);
 /**
- * Plays until everything has been played, the user or a signal stops it, or the device is gone. After a
- * signal the outcome is 128 + the signal's number.
+ * Plays until everything has been played, the user or a signal stops it, or the device is gone.
+ * After a signal the outcome is 128 + the signal's number.
  */
 Outcome live_session_run(LiveSession *session, const LiveSessionTurn *turn);
 /** Stops the sound and completes the recording and the log. */
 Outcome live_session_finish(LiveSession *session);
 /**
- * Closes the device and frees everything. If the device is lost or does not close, it stays open and the
- * program exits here with the status @p outcome.
+ * Closes the device and frees everything. If the device is lost or does not close, it stays open
+ * and the program exits here with the status @p outcome.
  */
 void live_session_close(LiveSession *session, Outcome outcome);
 

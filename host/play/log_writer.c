@@ -31,8 +31,8 @@ static void pause_ms(long milliseconds) {
   (void)nanosleep(&moment, NULL);
 }
 
-/* Takes the lines over, or NULL if memory was short; writes them over the mark. No later text is shorter than the mark
-   that it replaces, so nothing of that is left behind it. */
+/* Takes the lines over, or NULL if memory was short; writes them over the mark. No later text is
+   shorter than the mark that it replaces, so nothing of that is left behind it. */
 static Outcome write_over_mark(LogWriter *writer, char *lines, size_t mark_size) {
   Outcome outcome = lines ? OUTCOME_OK : fail_memory();
   if (outcome == OUTCOME_OK && writer->mark_size > 0) {
@@ -56,8 +56,8 @@ static Outcome write_marked(LogWriter *writer, const char *line) {
   return write_over_mark(writer, lines, mark_size);
 }
 
-/* Adds a line while the drum plays, which it takes over; NULL means that memory was short. What goes wrong is said
-   once. Needs the lock. */
+/* Adds a line while the drum plays, which it takes over; NULL means that memory was short. What
+   goes wrong is said once. Needs the lock. */
 static void add_line_locked(LogWriter *writer, char *line) {
   char reason[1000];
   const Outcome before = writer->outcome;

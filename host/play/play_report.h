@@ -8,7 +8,8 @@
 
 #include "play/live_session.h"
 
-/** Warns if the output had gaps because a block took longer than it lasts: @p worst is the largest share of its time. */
+/** Warns if the output had gaps because a block took longer than it lasts: @p worst is the largest
+ * share of its time. */
 void play_report_gaps(uint64_t gaps, double worst);
 /** Prints warnings about problems, then a summary line, or with --json the facts. */
 Outcome play_report(LiveSession *session);

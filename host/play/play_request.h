@@ -23,9 +23,9 @@ typedef struct PlayRequest {
   KitMidiSetup kit_midi;
   TaborModelOptions model; /**< the rate is the device's */
   uint32_t channels;
-  uint32_t mics
-    [TABOR_MAX_MICS]; /**< of each channel: index among the definition's microphones; of a kit, 0 left, 1 right */
-  double gain; /**< factor */
+  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index among the definition's microphones; of
+                                    a kit, 0 left, 1 right */
+  double gain;                   /**< factor */
   Humanizer humanizer;
   MidiMap midi_map;
   double mask_time; /**< [s] */
@@ -43,7 +43,8 @@ typedef struct PlayRequest {
 
 extern const Option play_options[];
 
-/** Reads the command line, which must outlive the request. Free with play_request_free(), whatever the outcome. */
+/** Reads the command line, which must outlive the request. Free with play_request_free(), whatever
+ * the outcome. */
 Outcome play_request_read(const Arguments *arguments, PlayRequest *request);
 /** Initialises the MIDI of the kit. */
 void play_request_kit_midi(const PlayRequest *request, KitMidi *midi);

@@ -10,7 +10,8 @@
 #include "plugin/knob_text.h"
 #include "plugin/knobs.h"
 
-/* KNOB_COUNT if there is none. The stick's hardness is that of the usual striker, which may be another one. */
+/* KNOB_COUNT if there is none. The stick's hardness is that of the usual striker, which may be
+ * another one. */
 static KnobId knob_of(const TaborDrumDef *def, const char *key) {
   uint32_t id = 0;
   while (id < KNOB_KEYS && strcmp(knobs[id].key, key) != 0) id++;

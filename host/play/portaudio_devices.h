@@ -28,8 +28,8 @@ void portaudio_end(void);
 /** Describes output @p index; false past the last. */
 bool portaudio_output(uint32_t index, OutputDevice *device);
 /**
- * Finds the output whose label, name or host API is @p name. NULL: the default output, which is JACK's if
- * its server runs. A failure lists the available outputs.
+ * Finds the output whose label, name or host API is @p name. NULL: the default output, which is
+ * JACK's if its server runs. A failure lists the available outputs.
  */
 Outcome portaudio_find(const char *name, OutputDevice *device);
 
@@ -40,10 +40,10 @@ typedef struct PortaudioCare {
 } PortaudioCare;
 
 /**
- * Call before, and portaudio_leave() after, calls that talk to a sound server while there is nothing to lose.
- * In between, output of libraries is suppressed. PortAudio asserts that JACK calls succeed, so it aborts if
- * the server has just died; here such an abort ends the program with one line and the status 1. One thread
- * at a time.
+ * Call before, and portaudio_leave() after, calls that talk to a sound server while there is
+ * nothing to lose. In between, output of libraries is suppressed. PortAudio asserts that JACK calls
+ * succeed, so it aborts if the server has just died; here such an abort ends the program with one
+ * line and the status 1. One thread at a time.
  */
 void portaudio_enter(PortaudioCare *care);
 void portaudio_leave(const PortaudioCare *care);

@@ -6,7 +6,8 @@
 
 #include "plugin/model_cache.h"
 
-/* What is nearly done is finished: a knob that turns all the time would never be heard otherwise. */
+/* What is nearly done is finished: a knob that turns all the time would never be heard otherwise.
+ */
 static const double NEARLY = 0.5; /* [s] */
 
 /* Also called by threads that wait for a model that another instance builds. */

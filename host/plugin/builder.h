@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file builder.h
- * Builds an instrument's models outside the audio thread: what the workers of one drum (model_worker.h) and of a kit (kit_worker.h)
- * have in common.
+ * Builds an instrument's models outside the audio thread: what the workers of one drum
+ * (model_worker.h) and of a kit (kit_worker.h) have in common.
  *
- * The audio thread writes a request, a worker answers. `phase` says which of the two owns both, so neither waits for the other:
+ * The audio thread writes a request, a worker answers. `phase` says which of the two owns both, so
+ * neither waits for the other:
  *
  *     IDLE --audio--> ASKED --worker--> BUILDING --worker--> ANSWERED --audio--> IDLE
  *
- * In real time no quality is above PLUGIN_LIVE_QUALITY: what the knob asks for beyond is for export, and the log says so. A host that
- * renders offline waits for models. So none is built that takes more than BUILDER_MOST_SECONDS or BUILDER_MOST_BYTES: the quality is
- * lowered until it does, and the log says so.
+ * In real time no quality is above PLUGIN_LIVE_QUALITY: what the knob asks for beyond is for
+ * export, and the log says so. A host that renders offline waits for models. So none is built that
+ * takes more than BUILDER_MOST_SECONDS or BUILDER_MOST_BYTES: the quality is lowered until it does,
+ * and the log says so.
  */
 #ifndef TABOR_PLUGIN_BUILDER_H
 #define TABOR_PLUGIN_BUILDER_H
@@ -23,7 +25,8 @@
 #define BUILDER_MOST_SECONDS 15.0      /**< that building a model may take, by its estimate */
 #define BUILDER_MOST_BYTES 1000000000u /**< that it may take meanwhile */
 
-/** The highest quality in real time. A snare drum at studio takes several times as long as it sounds. */
+/** The highest quality in real time. A snare drum at studio takes several times as long as it
+ * sounds. */
 #define PLUGIN_LIVE_QUALITY TABOR_QUALITY_LIVE
 
 /** Writes an error line to the host's log. Any thread but the audio thread. */
@@ -49,7 +52,8 @@ typedef struct Builder {
 
 /** SET-UP. Initialises *builder for a rate [Hz]. */
 void builder_begin(Builder *builder, double rate, BuilderSayFn *say, void *context);
-/** ANY. Ends what is being built, within 0.1 s, and lets nothing be built until builder_resume(). */
+/** ANY. Ends what is being built, within 0.1 s, and lets nothing be built until builder_resume().
+ */
 void builder_cancel(Builder *builder);
 void builder_resume(Builder *builder);
 
@@ -58,8 +62,8 @@ void builder_resume(Builder *builder);
 /** True if there is a request, which is then this worker's, to be answered. */
 bool builder_take(Builder *builder);
 void builder_answer(Builder *builder);
-/** Takes a model from the cache (model_cache.h), at the quality that was asked for, or the highest one below it that the limits
- * allow. */
+/** Takes a model from the cache (model_cache.h), at the quality that was asked for, or the highest
+ * one below it that the limits allow. */
 TaborStatus builder_model(Builder *builder, const TaborDrumDef *def, uint32_t quality,
                           TaborModel **model, TaborError *error);
 /** Says what has become of it, and why. */
@@ -80,7 +84,8 @@ static inline void builder_ask(Builder *builder) REALTIME {
   atomic_store(&builder->is_outdated, false);
   atomic_store(&builder->phase, BUILDER_ASKED);
 }
-/** Says that another request will follow what is being built: a build that would go on for long ends. */
+/** Says that another request will follow what is being built: a build that would go on for long
+ * ends. */
 static inline void builder_outdate(Builder *builder) REALTIME {
   atomic_store(&builder->is_outdated, true);
 }

@@ -117,7 +117,8 @@ static void use(Instrument *instrument, const InstrumentSetting *setting) {
   }
 }
 
-/* Without a pitch in it, the tension leads; without a drum's number, the drum stays wherever the host puts the knob first. */
+/* Without a pitch in it, the tension leads; without a drum's number, the drum stays wherever the
+ * host puts the knob first. */
 static void blank(Instrument *instrument, InstrumentSetting *setting) {
   for (uint32_t i = 0; i < KNOB_COUNT; i++) {
     const bool is_pitch = i == KNOB_BATTER_PITCH || i == KNOB_RESONANT_PITCH;
@@ -131,7 +132,8 @@ static char *text(Instrument *instrument, const InstrumentSetting *setting) {
   return definition_write(&setting->def, TABOR_TEXT_KEEP, NULL, NULL);
 }
 
-/* Earlier versions passed over a pitch that the head cannot have. The drum stays as it was, and the knob shows its pitch. */
+/* Earlier versions passed over a pitch that the head cannot have. The drum stays as it was, and the
+ * knob shows its pitch. */
 static void settle_pitches(InstrumentSetting *setting) {
   TaborDrumDef tuned = setting->def;
   TaborError error;
@@ -171,7 +173,8 @@ static bool load_file(const char *path, TaborDrumDef *def, char *message) {
   return false;
 }
 
-/* Knobs stand where the drum is; of parts that it lacks, where they stood. So does KNOB_DRUM with a drum of the user's. */
+/* Knobs stand where the drum is; of parts that it lacks, where they stood. So does KNOB_DRUM with a
+ * drum of the user's. */
 static bool load(Instrument *instrument, const char *name, bool is_file, InstrumentSetting *setting,
                  char *message) {
   if (!(is_file ? load_file : load_built_in)(name, &setting->def, message)) return false;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file drum_instrument.h
- * Instruments that are one drum: Tabor, Tabor Multi and Tabor Rattle. Their variants are the KnobSets.
+ * Instruments that are one drum: Tabor, Tabor Multi and Tabor Rattle. Their variants are the
+ * KnobSets.
  */
 #ifndef TABOR_PLUGIN_DRUM_INSTRUMENT_H
 #define TABOR_PLUGIN_DRUM_INSTRUMENT_H

@@ -114,8 +114,8 @@ void instrument_set_all(Instrument *instrument, const float values[INSTRUMENT_KN
     instrument_set(instrument, i, (double)values[i]);
 }
 
-/* Where the head could not have the pitch that was asked for, or MIDI has chosen another drum, the knob goes where the drum
- * is. */
+/* Where the head could not have the pitch that was asked for, or MIDI has chosen another drum, the
+ * knob goes where the drum is. */
 static void follow_drum(Instrument *instrument, uint32_t id) REALTIME;
 static void follow_drum(Instrument *instrument, uint32_t id) {
   float asked, given;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file instrument.h
- * A plugin without its format: what Tabor, Tabor Multi, Tabor Rattle and Tabor Kit are to a host. The shells of the formats know this
- * alone. drum_instrument.c and kit_instrument.c have the two sorts.
+ * A plugin without its format: what Tabor, Tabor Multi, Tabor Rattle and Tabor Kit are to a host.
+ * The shells of the formats know this alone. drum_instrument.c and kit_instrument.c have the two
+ * sorts.
  *
- * An instrument is there from beginning to end with its knobs, its own drum or kit, and what passes between it and its window;
- * it sounds while it is open, at one sample rate.
+ * An instrument is there from beginning to end with its knobs, its own drum or kit, and what passes
+ * between it and its window; it sounds while it is open, at one sample rate.
  *
- * Threads: MAIN is one that the host has for all but sound, WORKER any but the audio thread, several at once. What says nothing
- * is MAIN.
+ * Threads: MAIN is one that the host has for all but sound, WORKER any but the audio thread,
+ * several at once. What says nothing is MAIN.
  */
 #ifndef TABOR_PLUGIN_INSTRUMENT_H
 #define TABOR_PLUGIN_INSTRUMENT_H
@@ -37,9 +38,9 @@ typedef struct InstrumentOutput {
 /** What a hand or a session has set: the knobs, and the drum that is played. */
 typedef struct InstrumentSetting {
   float values[INSTRUMENT_KNOBS]; /**< of the knobs */
-  float seen
-    [INSTRUMENT_KNOBS]; /**< of those that the drum was noted with: where they stood then; NaN: unknown */
-  TaborDrumDef def; /**< of an instrument that is one drum */
+  float seen[INSTRUMENT_KNOBS];   /**< of those that the drum was noted with: where they stood then;
+                                     NaN: unknown */
+  TaborDrumDef def;               /**< of an instrument that is one drum */
 } InstrumentSetting;
 
 typedef struct Instrument Instrument;
@@ -85,12 +86,12 @@ struct Instrument {
   const KitPool *pool;    /**< the host's threads: set before it is open; or NULL */
   bool has_movable_knobs; /**< the shell can move the host's knobs: set before it is open */
   KnobRange ranges[INSTRUMENT_KNOBS];
-  _Atomic float values[INSTRUMENT_KNOBS]; /**< of the knobs, in their own units */
-  _Atomic float offsets
-    [INSTRUMENT_KNOBS];   /**< by which the host modulates them, on the knob's way if it is bent */
-  atomic_bool has_moved;  /**< a knob has, of which the host does not know */
-  atomic_bool is_renamed; /**< notes have other names */
-  atomic_bool is_offline; /**< the host renders, and is in no hurry */
+  _Atomic float values[INSTRUMENT_KNOBS];  /**< of the knobs, in their own units */
+  _Atomic float offsets[INSTRUMENT_KNOBS]; /**< by which the host modulates them, on the knob's way
+                                              if it is bent */
+  atomic_bool has_moved;                   /**< a knob has, of which the host does not know */
+  atomic_bool is_renamed;                  /**< notes have other names */
+  atomic_bool is_offline;                  /**< the host renders, and is in no hurry */
   double rate;
   bool is_open;     /**< changes only while no block is played */
   Builder *builder; /**< of its models */
@@ -122,15 +123,18 @@ struct InstrumentCalls {
   void (*use)(Instrument *instrument, const InstrumentSetting *setting); /**< likewise */
   /** Fills a setting that says nothing. */
   void (*blank)(Instrument *instrument, InstrumentSetting *setting);
-  /** What sessions have to save besides knobs, terminated, to be freed by the caller; NULL: nothing, or memory is short. */
+  /** What sessions have to save besides knobs, terminated, to be freed by the caller; NULL:
+   * nothing, or memory is short. */
   char *(*text)(Instrument *instrument, const InstrumentSetting *setting);
   /** Reads such a text. False, with a line in @p message of INSTRUMENT_MESSAGE bytes. */
   bool (*read)(Instrument *instrument, const char *text, size_t length, InstrumentSetting *setting,
                char *message);
-  /** Puts a built-in drum or kit, or one of a file, into a setting, with the knobs where they are with it. */
+  /** Puts a built-in drum or kit, or one of a file, into a setting, with the knobs where they are
+   * with it. */
   bool (*load)(Instrument *instrument, const char *name, bool is_file, InstrumentSetting *setting,
                char *message);
-  /** The name of what the main knob takes, if sessions have it in place of a number; and the other way round. */
+  /** The name of what the main knob takes, if sessions have it in place of a number; and the other
+   * way round. */
   const char *(*name)(float value);
   bool (*find)(const char *name, float *value);
   double (*tail)(const Instrument *instrument); /**< [s] until it has died away */
@@ -175,8 +179,8 @@ struct InstrumentCalls {
 Instrument *instrument_create(const InstrumentKind *kind);
 /** Ignores NULL. */
 void instrument_destroy(Instrument *instrument);
-/** Closes it, and opens it at another rate, if that is one at which it sounds; else the log says why it is silent. False if memory
- * is short. */
+/** Closes it, and opens it at another rate, if that is one at which it sounds; else the log says
+ * why it is silent. False if memory is short. */
 bool instrument_open(Instrument *instrument, double rate);
 void instrument_close(Instrument *instrument);
 /** Writes an error line to the host's log. WORKER and MAIN. */
@@ -186,15 +190,16 @@ void instrument_work(void *instrument);
 
 /* ---- knobs ---------------------------------------------------------------------------------- */
 
-/** ANY. The id of knob number @p number in the order of ports; knob_count if this instrument has none there. */
+/** ANY. The id of knob number @p number in the order of ports; knob_count if this instrument has
+ * none there. */
 uint32_t instrument_knob(const InstrumentKind *kind, uint32_t number) REALTIME;
 /** ANY. The id of the knob at @p place among those that it has; knob_count past the last. */
 uint32_t instrument_knob_at(const InstrumentKind *kind, uint32_t place) REALTIME;
 /** The number of a knob in the order of ports. */
 uint32_t instrument_number(const InstrumentKind *kind, uint32_t id);
 uint32_t instrument_knob_count(const InstrumentKind *kind);
-/** Page number @p place of those that it has, NULL past the last: it has all knobs of a page or none, but for a knob that other
- * pages have as well. */
+/** Page number @p place of those that it has, NULL past the last: it has all knobs of a page or
+ * none, but for a knob that other pages have as well. */
 const KnobPage *instrument_page(const InstrumentKind *kind, uint32_t place);
 /** Knob number @p place of a page, of those that it has; knob_count past the last. */
 uint32_t instrument_knob_on_page(const InstrumentKind *kind, const KnobPage *page, uint32_t place);
@@ -209,8 +214,8 @@ void instrument_set_all(Instrument *instrument, const float values[INSTRUMENT_KN
 
 /** Notes all. A knob of which the drum does not know where it stood has not been turned since. */
 void instrument_note(Instrument *instrument, InstrumentSetting *setting);
-/** AUDIO. Asks for the drum or kit of a file, whose path has @p length bytes. False: the last one is not yet loaded, or the path is
- * too long. */
+/** AUDIO. Asks for the drum or kit of a file, whose path has @p length bytes. False: the last one
+ * is not yet loaded, or the path is too long. */
 bool instrument_ask_file(Instrument *instrument, const char *path, size_t length) REALTIME;
 
 /* ---- AUDIO ---------------------------------------------------------------------------------- */

@@ -139,7 +139,8 @@ double kit_knob_beside(KitKnobId id, float value, double own, double least) {
 
 /* ---- the kit -------------------------------------------------------------------------------- */
 
-/* A string's and a membrane's pitch grows with the square root of the tension; a pitch that is set leads it. */
+/* A string's and a membrane's pitch grows with the square root of the tension; a pitch that is set
+ * leads it. */
 static void tune_head(TaborHeadDef *head, double ratio) {
   head->tension *= ratio * ratio;
   head->pitch *= ratio;

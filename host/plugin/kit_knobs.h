@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_knobs.h
- * The controls of Tabor Kit. The order of knobs is that of ports and never changes; new knobs come at the end.
+ * The controls of Tabor Kit. The order of knobs is that of ports and never changes; new knobs come
+ * at the end.
  */
 #ifndef TABOR_PLUGIN_KIT_KNOBS_H
 #define TABOR_PLUGIN_KIT_KNOBS_H
@@ -11,7 +12,8 @@
 #include "plugin/knob.h"
 #include "plugin/own_kit.h"
 
-/** Drums with an output, a level and a tuning of their own, in the order of the kit; later ones are in the mix alone. */
+/** Drums with an output, a level and a tuning of their own, in the order of the kit; later ones are
+ * in the mix alone. */
 #define KIT_KNOB_DRUMS 8
 
 typedef enum KitKnobId {
@@ -42,9 +44,11 @@ KnobRange kit_knob_range(KitKnobId id);
 double kit_knob_beside(KitKnobId id, float value, double own, double least) REALTIME;
 /** True for the value of KIT_KNOB_KIT, its last, that stands for the user's own kit. */
 bool kit_knob_is_own(float kit) REALTIME;
-/** SET-UP. The kit that a value of KIT_KNOB_KIT stands for; the usual one in place of the user's own while there is none. */
+/** SET-UP. The kit that a value of KIT_KNOB_KIT stands for; the usual one in place of the user's
+ * own while there is none. */
 TaborStatus kit_knob_kit(float kit, OwnKit *own, TaborKitDef *def, TaborError *error);
-/** SET-UP. The kit that the knobs describe. A drum that cannot be tuned so far stays as its preset has it. */
+/** SET-UP. The kit that the knobs describe. A drum that cannot be tuned so far stays as its preset
+ * has it. */
 TaborStatus kit_knobs_define(const float values[KIT_KNOB_COUNT], OwnKit *own, TaborKitDef *def,
                              TaborError *error);
 

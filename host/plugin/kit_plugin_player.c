@@ -234,8 +234,8 @@ static float wish(const KitPluginPlayer *player, uint32_t id) {
   return id == KIT_KNOB_QUALITY && !player->exports && value > most ? most : value;
 }
 
-/* True if the knobs want another kit than the one that was built for `values` and a version of the user's own. If `drums`, only
- * what changes the drums counts. */
+/* True if the knobs want another kit than the one that was built for `values` and a version of the
+ * user's own. If `drums`, only what changes the drums counts. */
 static bool is_another(const KitPluginPlayer *player, const float *values, unsigned own,
                        bool drums) REALTIME;
 static bool is_another(const KitPluginPlayer *player, const float *values, unsigned own,
@@ -254,8 +254,8 @@ static bool is_wanted(const KitPluginPlayer *player) {
   return player->has_asked && !is_another(player, player->asked, player->own_asked, false);
 }
 
-/* A kit that is being built is dropped for another kit or quality. One of another tuning or room is built to its end, since the
- * next one would be dropped as well while a knob moves. */
+/* A kit that is being built is dropped for another kit or quality. One of another tuning or room is
+ * built to its end, since the next one would be dropped as well while a knob moves. */
 static bool is_outdated(const KitPluginPlayer *player) REALTIME;
 static bool is_outdated(const KitPluginPlayer *player) {
   return wish(player, KIT_KNOB_QUALITY) != player->asked[KIT_KNOB_QUALITY] ||

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_plugin_player.h
- * The audio side of the plugin Tabor Kit: messages and knobs at their frames become events of the kit, whose mix and drums
- * fill a host's block. A kit that is tuned or stands in another room goes on with the drums that ring, and what is not in it
- * any more, as the sound in the room of before, rings out beside it. Another kit plays anew, and the one before fades out beside it.
+ * The audio side of the plugin Tabor Kit: messages and knobs at their frames become events of the
+ * kit, whose mix and drums fill a host's block. A kit that is tuned or stands in another room goes
+ * on with the drums that ring, and what is not in it any more, as the sound in the room of before,
+ * rings out beside it. Another kit plays anew, and the one before fades out beside it.
  */
 #ifndef TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
 #define TABOR_PLUGIN_KIT_PLUGIN_PLAYER_H
@@ -12,8 +13,9 @@
 #include "plugin/plugin_buffers.h"
 #include "plugin/window_link.h"
 
-#define KIT_PLUGIN_EVENTS 1024 /**< most events at once; further ones wait until these are played */
-#define KIT_PLUGIN_PIECE 256   /**< most frames at once */
+/** most events at once; further ones wait until these are played */
+#define KIT_PLUGIN_EVENTS 1024
+#define KIT_PLUGIN_PIECE 256 /**< most frames at once */
 
 typedef struct KitPluginPlayer {
   KitWorker *worker;
@@ -32,9 +34,9 @@ typedef struct KitPluginPlayer {
   uint32_t event_count;
   float struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke since it was asked for [m/s] */
 
-  const PluginBuffers *
-    buffers; /**< of the block: the mix in stereo, then the part of each drum in it, without the room */
-  uint32_t at;                                    /**< frames of it that were played */
+  const PluginBuffers *buffers; /**< of the block: the mix in stereo, then the part of each drum in
+                                   it, without the room */
+  uint32_t at;                  /**< frames of it that were played */
   float sound[PLUGIN_CHANNELS][KIT_PLUGIN_PIECE]; /**< of the kit that leaves */
 } KitPluginPlayer;
 
@@ -49,7 +51,8 @@ void kit_plugin_player_end(KitPluginPlayer *player);
 void kit_plugin_player_begin_block(KitPluginPlayer *player, const PluginBuffers *buffers) REALTIME;
 /** Turns a knob, at the next frame that is played. */
 void kit_plugin_player_turn(KitPluginPlayer *player, KitKnobId id, float value) REALTIME;
-/** Takes a message at frame @p frame of the block, not before a frame that was given or played before. */
+/** Takes a message at frame @p frame of the block, not before a frame that was given or played
+ * before. */
 void kit_plugin_player_take(KitPluginPlayer *player, const MidiMessage *message,
                             uint32_t frame) REALTIME;
 /** Strikes a drum at the next frame that is played. */

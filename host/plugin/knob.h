@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file knob.h
- * A control of a plugin: a row of its instrument's table (knobs.h, kit_knobs.h), its range, and where a value stands on its
- * way. Symbols never change, since sessions and hosts know controls by them.
+ * A control of a plugin: a row of its instrument's table (knobs.h, kit_knobs.h), its range, and
+ * where a value stands on its way. Symbols never change, since sessions and hosts know controls by
+ * them.
  */
 #ifndef TABOR_PLUGIN_KNOB_H
 #define TABOR_PLUGIN_KNOB_H
@@ -68,8 +69,8 @@ typedef struct Knob {
 typedef struct KnobRange {
   float minimum, maximum, fallback;
   bool logarithmic;
-  /** Not 0: below it there is only the minimum, which is off. From it on the way is in equal ratios, though the port's range
-   * is not logarithmic, since that begins at 0. */
+  /** Not 0: below it there is only the minimum, which is off. From it on the way is in equal
+   * ratios, though the port's range is not logarithmic, since that begins at 0. */
   float least;
   const char *unit; /**< "" for a pure number */
 } KnobRange;
@@ -102,16 +103,18 @@ static inline bool knob_is_bent(const KnobRange *range) REALTIME {
 /** Where @p value stands on the knob's way, 0 to 1 within its range; and the value there. */
 double knob_position(const KnobRange *range, double value) REALTIME;
 double knob_at_position(const KnobRange *range, double position) REALTIME;
-/** @p value, which is finite, as a port has it: of a choice a whole number, of six decimal digits, within the range. */
+/** @p value, which is finite, as a port has it: of a choice a whole number, of six decimal digits,
+ * within the range. */
 float knob_limited(const Knob *knob, const KnobRange *range, double value) REALTIME;
 /** Converts a value of a level or a gain [dB] to a factor; the lowest gives 0. */
 double knob_factor(const Knob *knob, float value) REALTIME;
 /**
- * Rounds a port's value to six decimal digits: 0.05f becomes 0.05. So a definition gets exactly the number
- * that a preset has. What is not finite stays so.
+ * Rounds a port's value to six decimal digits: 0.05f becomes 0.05. So a definition gets exactly the
+ * number that a preset has. What is not finite stays so.
  */
 double knob_decimal(float value) REALTIME;
-/** @p value as a single-precision number. A host may send any, and what no float can hold must not be converted. */
+/** @p value as a single-precision number. A host may send any, and what no float can hold must not
+ * be converted. */
 float knob_single(double value) REALTIME;
 
 #endif

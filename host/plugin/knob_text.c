@@ -26,7 +26,8 @@ static bool is_part(const Knob *knob) {
   return knob->scale == KNOB_IN_PER_CENT || knob->scale == KNOB_IN_ROOTS;
 }
 
-/* A damper of the strength c brakes in proportion to c, and small changes of a small c are heard most: the root. */
+/* A damper of the strength c brakes in proportion to c, and small changes of a small c are heard
+ * most: the root. */
 static double part_of(const Knob *knob, const KnobRange *range, double value) {
   const double least = least_of(range), most = most_of(range);
   if (knob->scale == KNOB_IN_ROOTS) return sqrt((value - least) / (most - least));

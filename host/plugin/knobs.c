@@ -17,8 +17,8 @@
 #define RANGE(low, high) .minimum = (low), .maximum = (high)
 #define FROM_PRESET .fallback = NAN, .off = NAN
 #define OFF_AT_0(word) .fallback = NAN, .off = 0, .off_word = (word)
-/* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an instance. A test
-   compares them with knob_shown(). */
+/* [Hz], six digits: DEFAULT_PRESET's, which the engine computes too slowly for a host that opens an
+   instance. A test compares them with knob_shown(). */
 #define BATTER_PITCH 270.296
 #define RESONANT_PITCH 304.944
 #define LEVEL(value)                                                                               \

@@ -3,11 +3,11 @@
  * @file knobs.h
  * The controls of the plugins of one drum: one table for all formats and the documentation.
  *
- * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and its range
- * from the engine's parameter; the table may narrow the range. Its default comes from the preset
- * DEFAULT_PRESET: of a pitch, the one that the preset's tension gives. The drum keeps its tension, to the bit, until
- * the pitch is turned. Its symbol is the key with '_' for '.'. Symbols never change, nor do the numbers of ports:
- * new knobs go to the end of knob_ports.
+ * A knob for a key of the drum's definition takes its unit, its scale (linear or logarithmic) and
+ * its range from the engine's parameter; the table may narrow the range. Its default comes from the
+ * preset DEFAULT_PRESET: of a pitch, the one that the preset's tension gives. The drum keeps its
+ * tension, to the bit, until the pitch is turned. Its symbol is the key with '_' for '.'. Symbols
+ * never change, nor do the numbers of ports: new knobs go to the end of knob_ports.
  */
 #ifndef TABOR_PLUGIN_KNOBS_H
 #define TABOR_PLUGIN_KNOBS_H
@@ -104,7 +104,8 @@ static inline bool knob_is_modulated(KnobId id) REALTIME {
 KnobRange knob_range(KnobId id, const TaborDrumDef *usual);
 /** SET-UP. The same in a plugin: the effect is heard under the snares unless told otherwise. */
 KnobRange knob_range_in(KnobSet set, KnobId id, const TaborDrumDef *usual);
-/** The knob of the pitch that @p error refuses since the head cannot have it; KNOB_COUNT if it is about something else. */
+/** The knob of the pitch that @p error refuses since the head cannot have it; KNOB_COUNT if it is
+ * about something else. */
 KnobId knob_of_refused_pitch(const TaborError *error);
 /** The striker of the drum's default stroke. */
 TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
@@ -113,9 +114,9 @@ bool knob_has_part(TaborDrumDef *def, KnobId id);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
 /**
- * SET-UP. The value at which a knob below KNOB_SEEN shows the drum @p def; NaN if the drum has no such part, or is not
- * named like a built-in one. It is the field's, but a head without a pitch shows the one that its tension gives. This
- * takes some hundredths of a second.
+ * SET-UP. The value at which a knob below KNOB_SEEN shows the drum @p def; NaN if the drum has no
+ * such part, or is not named like a built-in one. It is the field's, but a head without a pitch
+ * shows the one that its tension gives. This takes some hundredths of a second.
  */
 double knob_shown(const TaborDrumDef *def, KnobId id);
 

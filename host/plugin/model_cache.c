@@ -38,7 +38,8 @@ static bool same_value(const TaborDrumDef *a, const TaborDrumDef *b, const char 
          strcmp(one, other) == 0;
 }
 
-/* Key by key: what lies between the fields of a struct, or behind the end of a name, is no difference. */
+/* Key by key: what lies between the fields of a struct, or behind the end of a name, is no
+ * difference. */
 static bool same_sound(const TaborDrumDef *a, const TaborDrumDef *b) {
   char key[2 * TABOR_NAME_SIZE], other[2 * TABOR_NAME_SIZE];
   uint32_t i = 0;

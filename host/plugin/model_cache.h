@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file model_cache.h
- * Models shared by the plugins' instances. Instances with the same sound, rate and quality share one model. If
- * one instance is building that model, the others wait for it.
+ * Models shared by the plugins' instances. Instances with the same sound, rate and quality share
+ * one model. If one instance is building that model, the others wait for it.
  *
- * The cache is the only state that instances share; its own lock protects it. SET-UP: any thread but the
- * audio thread.
+ * The cache is the only state that instances share; its own lock protects it. SET-UP: any thread
+ * but the audio thread.
  */
 #ifndef TABOR_PLUGIN_MODEL_CACHE_H
 #define TABOR_PLUGIN_MODEL_CACHE_H

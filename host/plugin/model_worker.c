@@ -102,7 +102,8 @@ static void turn_knobs(const Request *request, TaborDrumDef *def) {
   }
 }
 
-/* Under lock. A restoration that the request does not know of yet takes the place of all it says. */
+/* Under lock. A restoration that the request does not know of yet takes the place of all it says.
+ */
 static void compose(ModelWorker *worker, Reply *reply) {
   const Request *const request = &worker->request;
   TaborDrumDef *const def = &worker->composed;
@@ -124,8 +125,8 @@ static void compose(ModelWorker *worker, Reply *reply) {
   memcpy(worker->composed_seen, reply->seen, sizeof reply->seen);
 }
 
-/* A pitch that was turned where the head cannot follow becomes the nearest that it can have. One that the drum was saved
- * with is passed over, as ever. */
+/* A pitch that was turned where the head cannot follow becomes the nearest that it can have. One
+ * that the drum was saved with is passed over, as ever. */
 static double nearest_pitch(const ModelWorker *worker, const Reply *reply, KnobId id,
                             const TaborError *error) {
   const KnobTurn turn = worker->request.turns[id];
@@ -148,8 +149,9 @@ static void tune(const ModelWorker *worker, Reply *reply) {
   }
 }
 
-/* What the model is built from: where MIDI has moved it, too, with the stick that was chosen, and with tensions for pitches.
- * What is saved has the drum's own stick, and its pitches, so that these are there when a choice is taken back. */
+/* What the model is built from: where MIDI has moved it, too, with the stick that was chosen, and
+ * with tensions for pitches. What is saved has the drum's own stick, and its pitches, so that these
+ * are there when a choice is taken back. */
 static void compose_model(const ModelWorker *worker, Reply *reply) {
   const Request *const request = &worker->request;
   TaborDrumDef *const def = &reply->def;

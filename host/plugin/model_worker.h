@@ -3,14 +3,16 @@
  * @file model_worker.h
  * Builds an instance's models outside the audio thread and delivers them to it.
  *
- * The audio thread writes a request; a worker answers with a reply: a drum, or a swap for the current drum (builder.h).
+ * The audio thread writes a request; a worker answers with a reply: a drum, or a swap for the
+ * current drum (builder.h).
  *
- * The first reply has the drum. Later, a preset that is chosen by MIDI or restored replaces the drum, and a change of
- * knobs or quality keeps it ringing on another model; both are swaps. The room comes with the drum, and anew when
- * something changes that it depends on: the knob, or the drum's microphones, shell and air.
+ * The first reply has the drum. Later, a preset that is chosen by MIDI or restored replaces the
+ * drum, and a change of knobs or quality keeps it ringing on another model; both are swaps. The
+ * room comes with the drum, and anew when something changes that it depends on: the knob, or the
+ * drum's microphones, shell and air.
  *
- * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that MIDI
- * has chosen since. Knobs turned since then override values in it.
+ * The drum's definition is that of DEFAULT_PRESET, the one restored last, or a built-in preset that
+ * MIDI has chosen since. Knobs turned since then override values in it.
  */
 #ifndef TABOR_PLUGIN_MODEL_WORKER_H
 #define TABOR_PLUGIN_MODEL_WORKER_H
@@ -56,7 +58,8 @@ typedef struct Reply {
   bool cancelled;        /**< the build was ended; ignore the rest and ask again */
   bool failed;           /**< nothing was built; ignore the fields below */
   bool begins_anew;      /**< the swap replaces the drum */
-  /** Of pitches that the head cannot have: the nearest that it can, a value of the port; otherwise NaN. */
+  /** Of pitches that the head cannot have: the nearest that it can, a value of the port; otherwise
+   * NaN. */
   float given[KNOB_KEYS];
   TaborDrumDef def;        /**< of the model */
   double built[KNOB_KEYS]; /**< values of the knobs' keys; NaN: the drum has no such part */
@@ -105,18 +108,19 @@ typedef struct SavedState {
 
 /* SET-UP */
 
-/** Initialises @p worker. False if memory is short. @p stereo: both sides of a drum without a stereo pair are heard by
- * its first microphone. */
+/** Initialises @p worker. False if memory is short. @p stereo: both sides of a drum without a
+ * stereo pair are heard by its first microphone. */
 bool model_worker_begin(ModelWorker *worker, double rate, bool stereo, BuilderSayFn *say,
                         void *context);
 /** Frees everything. Call after the drum was destroyed and while no worker works. */
 void model_worker_end(ModelWorker *worker);
-/** Makes @p saved, which is valid, the wanted drum. Any time, in parallel with all other functions. */
+/** Makes @p saved, which is valid, the wanted drum. Any time, in parallel with all other functions.
+ */
 void model_worker_restore(ModelWorker *worker, const SavedState *saved);
 /** Saves the state. Any time, in parallel with all other functions. */
 void model_worker_save(ModelWorker *worker, SavedState *saved);
-/** The model that was built last, to be released by the caller; NULL if there is none. Any time, in parallel with all
- * other functions. */
+/** The model that was built last, to be released by the caller; NULL if there is none. Any time, in
+ * parallel with all other functions. */
 TaborModel *model_worker_model(ModelWorker *worker);
 
 /* WORKERS: any thread but the audio thread, several at once */

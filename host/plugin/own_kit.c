@@ -45,7 +45,8 @@ static bool has_samples(const TaborKitDef *def) {
   return note < TABOR_KIT_NOTES;
 }
 
-/* As it stands in the file, unless that names sound files beside it, which are to be found from a session, too. */
+/* As it stands in the file, unless that names sound files beside it, which are to be found from a
+ * session, too. */
 static char *text_of(const char *text, size_t length, TaborKitDef *def) {
   if (!has_samples(def)) return copy_of(text, length);
   kit_file_root_samples(def);

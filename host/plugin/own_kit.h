@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file own_kit.h
- * A kit of the user's, from a kit file (docs/kit.md): its text, which sessions save, and what it says. Sound files have their
- * names from the root in it.
+ * A kit of the user's, from a kit file (docs/kit.md): its text, which sessions save, and what it
+ * says. Sound files have their names from the root in it.
  *
  * Threads: any but the audio thread, several at once, where nothing else is said.
  */
@@ -27,7 +27,8 @@ typedef struct OwnKit {
 /** SET-UP. False if the system has no more locks. */
 bool own_kit_begin(OwnKit *own);
 void own_kit_end(OwnKit *own);
-/** Takes the kit of a file. False, with one line in @p message, if it is none; the kit before stays. */
+/** Takes the kit of a file. False, with one line in @p message, if it is none; the kit before
+ * stays. */
 bool own_kit_load(OwnKit *own, const char *path, char *message, size_t size);
 /** The same of a text. */
 bool own_kit_set(OwnKit *own, const char *text, size_t length, char *message, size_t size);

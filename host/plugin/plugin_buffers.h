@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_buffers.h
- * The sound of a host's block: a buffer for each channel that a plugin has, in the order of its instrument.
+ * The sound of a host's block: a buffer for each channel that a plugin has, in the order of its
+ * instrument.
  */
 #ifndef TABOR_PLUGIN_PLUGIN_BUFFERS_H
 #define TABOR_PLUGIN_PLUGIN_BUFFERS_H

@@ -4,8 +4,8 @@
  * The audio thread of an instance: MIDI and knobs in, sound out.
  *
  * MIDI has the same meaning as in `tabor render --midi-file` (midi_to_events.h) and gives the same
- * sound to the bit, for every run length. Nothing here allocates, locks or makes a system call. The number of frames and messages
- * bounds the work.
+ * sound to the bit, for every run length. Nothing here allocates, locks or makes a system call. The
+ * number of frames and messages bounds the work.
  */
 #ifndef TABOR_PLUGIN_PLAYER_H
 #define TABOR_PLUGIN_PLAYER_H
@@ -54,12 +54,14 @@ typedef struct PluginPlayer {
   MidiToEvents midi;
   Humanizer humanizer;
   /**
-   * The drum's gain beside the knob's: the pair's usual level in the stereo plugin, otherwise 1. The drum plays at
-   * it before its sound is rounded to single precision, as `tabor render --stereo` does; levels are relative to it.
+   * The drum's gain beside the knob's: the pair's usual level in the stereo plugin, otherwise 1.
+   * The drum plays at it before its sound is rounded to single precision, as `tabor render
+   * --stereo` does; levels are relative to it.
    */
   double base_gain;
   Fader levels[KNOB_COUNT]; /**< where knob_is_level() */
-  /** Of an effect: pressure at full scale [Pa] and part of the drum in the mix, as faders; the newest block [Pa]. */
+  /** Of an effect: pressure at full scale [Pa] and part of the drum in the mix, as faders; the
+   * newest block [Pa]. */
   Fader sound, mix;
   float pressure[DRUM_PLAYER_BLOCK];
   /** Frames until a level moves, after its microphone was switched on. */
@@ -73,8 +75,9 @@ typedef struct PluginPlayer {
   int32_t chosen;         /**< program that messages are for; none after a turn of a knob */
   int32_t chosen_before;  /**< the same, before the current frame */
   float seen[KNOB_COUNT]; /**< values of the ports; NaN: not yet known */
-  /** Where KNOB_DRUM stood when the drum was saved that is restored; NaN: unknown, or another drum was chosen since. A host
-   * that puts the knob there, before the drum or after it, chooses no drum. */
+  /** Where KNOB_DRUM stood when the drum was saved that is restored; NaN: unknown, or another drum
+   * was chosen since. A host that puts the knob there, before the drum or after it, chooses no
+   * drum. */
   float restored_drum;
   float given[KNOB_SEEN];    /**< values that the drum has instead of seen, or NaN */
   float offsets[KNOB_COUNT]; /**< by which the host modulates knobs */
@@ -101,11 +104,13 @@ void plugin_player_end(PluginPlayer *player);
 
 /** Resets the player to its start, but keeps the values of the knobs. */
 void plugin_player_rest(PluginPlayer *player) REALTIME;
-/** Sets knob @p id to @p value, the value of its port. KNOB_DRUM comes first, since other knobs turn its drum. */
+/** Sets knob @p id to @p value, the value of its port. KNOB_DRUM comes first, since other knobs
+ * turn its drum. */
 void plugin_player_turn(PluginPlayer *player, KnobId id, float value) REALTIME;
 /**
- * Says once that knob @p id stands at *asked, and that the drum has *given, since the head cannot follow or MIDI has chosen
- * another drum: there the shell moves the knob, if it can. False if there is nothing to say.
+ * Says once that knob @p id stands at *asked, and that the drum has *given, since the head cannot
+ * follow or MIDI has chosen another drum: there the shell moves the knob, if it can. False if there
+ * is nothing to say.
  */
 bool plugin_player_take_given(PluginPlayer *player, KnobId id, float *asked, float *given) REALTIME;
 /**
@@ -130,7 +135,8 @@ void plugin_player_choose(PluginPlayer *player) REALTIME;
 bool plugin_player_is_full(const PluginPlayer *player) REALTIME;
 /** Takes the reply of the model worker, if there is one. */
 void plugin_player_receive(PluginPlayer *player) REALTIME;
-/** Sends the model worker a request if one is needed and it is idle. True: a worker has to run now. */
+/** Sends the model worker a request if one is needed and it is idle. True: a worker has to run now.
+ */
 bool plugin_player_ask(PluginPlayer *player) REALTIME;
 /** True if there is a drum and it is the wanted one. */
 bool plugin_player_is_ready(const PluginPlayer *player) REALTIME;
@@ -140,7 +146,8 @@ bool plugin_player_is_restored(const PluginPlayer *player) REALTIME;
 bool plugin_player_is_silent(const PluginPlayer *player) REALTIME;
 /** True if the model worker has answered every request and has nothing else to do. */
 bool plugin_player_is_settled(const PluginPlayer *player) REALTIME;
-/** Plays up to @p most frames into @p outputs, starting at frame @p at. Returns the number of frames. */
+/** Plays up to @p most frames into @p outputs, starting at frame @p at. Returns the number of
+ * frames. */
 uint32_t plugin_player_play(PluginPlayer *player, const PluginBuffers *outputs, uint32_t at,
                             uint32_t most) REALTIME;
 

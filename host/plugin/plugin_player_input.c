@@ -106,7 +106,8 @@ static void fade_to(const PluginPlayer *player, Fader *fader, double factor, boo
   }
 }
 
-/* What is under way to a microphone when it is switched on is not heard: its level waits for what comes. */
+/* What is under way to a microphone when it is switched on is not heard: its level waits for what
+ * comes. */
 static void turn_level(PluginPlayer *player, KnobId id, double factor, bool at_once) {
   Fader *const level = &player->levels[id];
   if (level->now == 0 && level->left == 0)
@@ -240,7 +241,8 @@ static void take_preset(PluginPlayer *player, uint32_t preset) {
 
 void plugin_player_begin_frame(PluginPlayer *player) { player->chosen_before = player->chosen; }
 
-/* Of the program changes at one frame the last counts; one to the drum that is there already does nothing. */
+/* Of the program changes at one frame the last counts; one to the drum that is there already does
+ * nothing. */
 bool plugin_player_has_choice(const PluginPlayer *player) {
   return player->chosen != player->chosen_before;
 }

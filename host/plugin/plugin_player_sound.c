@@ -25,7 +25,8 @@ static double next_level(PluginPlayer *player, KnobId id) {
   return player->levels[id].now;
 }
 
-/* A sum as a sample: what is fainter than any float with all its digits is none, since subnormal numbers make hosts slow. */
+/* A sum as a sample: what is fainter than any float with all its digits is none, since subnormal
+ * numbers make hosts slow. */
 static float to_sample(double sum) REALTIME;
 static float to_sample(double sum) { return fabs(sum) >= (double)FLT_MIN ? (float)sum : 0.0f; }
 

@@ -32,8 +32,8 @@ static bool has_to_wait(const PluginRun *run) {
          !atomic_load(&run->instrument->builder->is_cancelled);
 }
 
-/* Plays with everything that comes. False where the run has to wait for another model; then it is to be called
- * again. */
+/* Plays with everything that comes. False where the run has to wait for another model; then it is
+ * to be called again. */
 static bool go_on(PluginRun *run) REALTIME;
 static bool go_on(PluginRun *run) {
   const InstrumentCalls *const calls = calls_of(run);
@@ -50,7 +50,8 @@ static bool go_on(PluginRun *run) {
   return true;
 }
 
-/* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to work. */
+/* Knobs are read once a restored drum has landed: it brings what they said. True if somebody has to
+ * work. */
 static bool keep_up(Instrument *instrument) REALTIME;
 static bool keep_up(Instrument *instrument) {
   instrument->kind->calls->receive(instrument);

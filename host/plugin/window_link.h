@@ -3,9 +3,10 @@
  * @file window_link.h
  * What passes between the window of an instrument and its audio thread.
  *
- * Strokes go through a queue, peaks and what was struck come back, and the look of a drum goes through one TaborView that both
- * threads pass to and fro: the window lays it into `asked`, the audio thread fills it after its block and lays it into `seen`. So
- * the audio thread neither waits nor allocates, and a window that is closed costs it some loads.
+ * Strokes go through a queue, peaks and what was struck come back, and the look of a drum goes
+ * through one TaborView that both threads pass to and fro: the window lays it into `asked`, the
+ * audio thread fills it after its block and lays it into `seen`. So the audio thread neither waits
+ * nor allocates, and a window that is closed costs it some loads.
  */
 #ifndef TABOR_PLUGIN_WINDOW_LINK_H
 #define TABOR_PLUGIN_WINDOW_LINK_H

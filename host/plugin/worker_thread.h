@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file worker_thread.h
- * A thread that builds what an instance needs, for hosts without one. It looks for work every 5 ms: to wake it, the
- * audio thread would have to make a system call. SET-UP: all functions.
+ * A thread that builds what an instance needs, for hosts without one. It looks for work every 5 ms:
+ * to wake it, the audio thread would have to make a system call. SET-UP: all functions.
  */
 #ifndef TABOR_PLUGIN_WORKER_THREAD_H
 #define TABOR_PLUGIN_WORKER_THREAD_H

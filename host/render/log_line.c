@@ -484,7 +484,8 @@ static bool is_json(const char *text, size_t length) {
   return is_good;
 }
 
-/* Where memory is short, jansson 2.14 may take a good text for a bad one: then it can be read at another try. */
+/* Where memory is short, jansson 2.14 may take a good text for a bad one: then it can be read at
+ * another try. */
 static Outcome refuse_text(const char *where, const char *text, size_t length) {
   return is_json(text, length) ? fail_memory() : refuse("%s not a line of a log", where);
 }

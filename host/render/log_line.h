@@ -5,7 +5,7 @@
  *
  * Each line is a JSON object; numbers have 17 digits.
  *
- *     {"tabor_log":1,"program":"0.2.0","rate":48000.0,"gain":1.0,"mics":["top"],"preset":"tabor",...}
+ *     {"tabor_log":1,"program":"0.2.0","rate":48000.0,"gain":1.0,"mics":["top"],...}
  *     {"frame":4800,"event":"strike","velocity":2.5,"radius":0.05}
  *     {"frame":5000,"event":"parameter","parameter":"wires.strainer","value":0.5}
  *     {"frame":6000,"gain":0.5}
@@ -13,14 +13,16 @@
  *     {"frame":9600,"swap":1}
  *     {"frames":48000,"lost":0}
  *
- * Of a kit, the first line has "kit", the text of its file with all parameters of each drum, in place of "mics" and "drum";
- * events and swaps have "drum", the number of the drum from 0 (left out: 0) or "all", or "note", that of a sample.
+ * Of a kit, the first line has "kit", the text of its file with all parameters of each drum, in
+ * place of "mics" and "drum"; events and swaps have "drum", the number of the drum from 0 (left
+ * out: 0) or "all", or "note", that of a sample.
  *
- * The first line has the drum of the start, the last the number of frames that were played. While the drum plays, the
- * last line is a mark, {"played":24000,"lost":0}: everything that acted before this frame is in the lines above. The
- * next lines are written over it, so a whole log has none. Messages are in the order in which they acted, each with the
- * frame at which it did. A field that is left out is 0; radius and angle are in m and degrees. A model's line comes
- * before the swap or the replacement that it is for.
+ * The first line has the drum of the start, the last the number of frames that were played. While
+ * the drum plays, the last line is a mark, {"played":24000,"lost":0}: everything that acted before
+ * this frame is in the lines above. The next lines are written over it, so a whole log has none.
+ * Messages are in the order in which they acted, each with the frame at which it did. A field that
+ * is left out is 0; radius and angle are in m and degrees. A model's line comes before the swap or
+ * the replacement that it is for.
  */
 #ifndef TABOR_HOST_LOG_LINE_H
 #define TABOR_HOST_LOG_LINE_H
@@ -47,18 +49,18 @@ typedef struct LogStart {
   double gain;                   /**< factor */
   const TaborKitDef *kit;        /**< to be written; or NULL */
   uint32_t channels;
-  uint32_t mics
-    [TABOR_MAX_MICS]; /**< of each channel: index among the drum's microphones, of a kit its output */
+  uint32_t mics[TABOR_MAX_MICS]; /**< of each channel: index among the drum's microphones, of a kit
+                                    its output */
 } LogStart;
 
 /** A line that was read. */
 typedef struct LogLine {
   LogLineType type;
-  LogStart start; /**< of LOG_START */
-  LogDrum *
-    drum; /**< of LOG_START and LOG_MODEL, of a kit's start without definition; the caller frees it */
-  TaborKitDef *kit;      /**< of a kit's LOG_START; the caller frees it */
-  uint32_t model;        /**< its number, of LOG_MODEL; those of a log are 1, 2, ... */
+  LogStart start;   /**< of LOG_START */
+  LogDrum *drum;    /**< of LOG_START and LOG_MODEL, of a kit's start without definition; the caller
+                       frees it */
+  TaborKitDef *kit; /**< of a kit's LOG_START; the caller frees it */
+  uint32_t model;   /**< its number, of LOG_MODEL; those of a log are 1, 2, ... */
   PlayerMessage message; /**< of LOG_MESSAGE; a swap itself and its strikers are not in the text */
   uint64_t frames, lost; /**< of LOG_MARK and LOG_END: frames played, messages lost */
 } LogLine;
@@ -74,8 +76,8 @@ char *log_line_end(uint64_t frames, uint64_t lost);
 bool log_line_is_cut(const char *text, size_t length);
 
 /**
- * Reads a line of @p length bytes. Refuses what no log has, in a message that begins with @p where, such as
- * "take.log:3:". line->drum and line->kit are NULL or to be freed, whatever the outcome.
+ * Reads a line of @p length bytes. Refuses what no log has, in a message that begins with @p where,
+ * such as "take.log:3:". line->drum and line->kit are NULL or to be freed, whatever the outcome.
  */
 Outcome log_line_read(const char *where, const char *text, size_t length, LogLine *line);
 

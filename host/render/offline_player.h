@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file offline_player.h
- * Plays one drum or a kit for a rendering: the drum player run as fast as it can, interleaved samples out.
+ * Plays one drum or a kit for a rendering: the drum player run as fast as it can, interleaved
+ * samples out.
  *
- * Plays strokes and a MIDI file, or a log. Other actions of a MIDI file act before strokes of their frame. A preset change waits for its model.
- * A room is that of the request's own drum throughout.
+ * Plays strokes and a MIDI file, or a log. Other actions of a MIDI file act before strokes of their
+ * frame. A preset change waits for its model. A room is that of the request's own drum throughout.
  */
 #ifndef TABOR_HOST_OFFLINE_PLAYER_H
 #define TABOR_HOST_OFFLINE_PLAYER_H
@@ -37,9 +38,9 @@ typedef struct OfflinePlayer {
   DrumPlayer core;     /**< of a drum, with an output for each of the first drum's microphones */
   RoomMix room;
   PresetModels presets;
-  TaborModel *models
-    [TABOR_KIT_DRUMS]; /**< that each drum has, or will have after the newest swap; borrowed */
-  TaborModel *built[TABOR_KIT_DRUMS]; /**< the same, if it is of a log's; owned */
+  TaborModel *models[TABOR_KIT_DRUMS]; /**< that each drum has, or will have after the newest swap;
+                                          borrowed */
+  TaborModel *built[TABOR_KIT_DRUMS];  /**< the same, if it is of a log's; owned */
   SentSwap *swaps;
   size_t next_event,
     next_item;         /**< index into the strokes, and into the song; of a kit, into its song */

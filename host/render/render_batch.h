@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file render_batch.h
- * The sounds that `tabor render` has to make: one, in the file that -o names, or any number in a folder.
+ * The sounds that `tabor render` has to make: one, in the file that -o names, or any number in a
+ * folder.
  *
- * Each PRESET gives a sound FOLDER/PRESET.wav; with --each, each pair of PRESET and --events file gives
- * FOLDER/PRESET-EVENTS.wav. All other options apply to every sound.
+ * Each PRESET gives a sound FOLDER/PRESET.wav; with --each, each pair of PRESET and --events file
+ * gives FOLDER/PRESET-EVENTS.wav. All other options apply to every sound.
  */
 #ifndef TABOR_HOST_RENDER_BATCH_H
 #define TABOR_HOST_RENDER_BATCH_H
@@ -30,8 +31,8 @@ typedef struct RenderJob {
   atomic_bool finished;  /**< rendered or failed; any thread may read it */
 } RenderJob;
 
-/** Renders a sound whose request is read into its output; other threads may render others. render_job_played() hears how
- * far it is. */
+/** Renders a sound whose request is read into its output; other threads may render others.
+ * render_job_played() hears how far it is. */
 typedef Outcome RenderJobFn(void *context, RenderJob *job);
 /** Called when a sound has been rendered, on its thread but never twice at once. */
 typedef Outcome RenderedFn(void *context, const RenderJob *job);
@@ -52,9 +53,9 @@ Outcome render_job_read(RenderJob *job);
 /** A PlayedFn whose context is the job. */
 void render_job_played(void *job, uint32_t frames);
 /**
- * Reads and checks everything; changes no file. A job that fails, for example because its preset file is
- * missing, prints an error and is skipped later. An invalid job refuses the batch. Free with
- * render_batch_free(), whatever the outcome.
+ * Reads and checks everything; changes no file. A job that fails, for example because its preset
+ * file is missing, prints an error and is skipped later. An invalid job refuses the batch. Free
+ * with render_batch_free(), whatever the outcome.
  */
 Outcome render_batch_read(const Arguments *arguments, RenderBatch *batch);
 void render_batch_free(RenderBatch *batch);

@@ -14,8 +14,8 @@
 typedef void PlayedFn(void *context, uint32_t frames);
 
 /**
- * Renders @p request and prints the report; with --json, gives the facts to *report. Other threads may
- * render other requests. The request cannot be rendered again, but must still be freed.
+ * Renders @p request and prints the report; with --json, gives the facts to *report. Other threads
+ * may render other requests. The request cannot be rendered again, but must still be freed.
  */
 Outcome render_file(RenderRequest *request, PlayedFn *played, void *context, json_t **report);
 

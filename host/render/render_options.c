@@ -273,8 +273,8 @@ static Outcome read_song(const Arguments *arguments, RenderRequest *request) {
   return outcome;
 }
 
-/* Strokes are in order of time by now, so that the order in which they were given does not matter; each falls on
-   the drum that the song has put there. */
+/* Strokes are in order of time by now, so that the order in which they were given does not matter;
+   each falls on the drum that the song has put there. */
 static Outcome scatter_strokes(const Arguments *arguments, RenderRequest *request) {
   const MidiSong *const song = &request->song;
   Humanizer player;

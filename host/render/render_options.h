@@ -28,7 +28,8 @@ extern const Option render_options[];
 
 /** Reads --jobs; the default is the number of processors. */
 Outcome render_threads_read(const Arguments *arguments, uint32_t *count);
-/** Reads what says how a sound of @p kit, which must outlive the request, is rendered: quality, rate, format, level, length. */
+/** Reads what says how a sound of @p kit, which must outlive the request, is rendered: quality,
+ * rate, format, level, length. */
 Outcome render_kit_format_read(const Arguments *arguments, const TaborKitDef *kit,
                                RenderRequest *request);
 

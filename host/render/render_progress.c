@@ -48,7 +48,8 @@ static double fraction_played(const RenderBatch *batch) {
   return length > 0 ? played / length : 0;
 }
 
-/* Nobody knows when a single drum will have died away: its end is known while strokes are still to come. */
+/* Nobody knows when a single drum will have died away: its end is known while strokes are still to
+ * come. */
 static bool has_known_end(const RenderBatch *batch) {
   const RenderJob *const job = &batch->jobs[0];
   return batch->count > 1 || job->length > 0 || seconds_played(job) < job->last_stroke;

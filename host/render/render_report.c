@@ -70,7 +70,8 @@ static void warn_of_resets(const TaborStatistics *statistics) {
   }
 }
 
-/* Contacts too stiff for a quality's iterations lose energy that no term of the ledger stands for. */
+/* Contacts too stiff for a quality's iterations lose energy that no term of the ledger stands for.
+ */
 static void warn_of_residual(const TaborStatistics *statistics, const TaborLedger *ledger) {
   const double given = ledger->injected + fabs(ledger->control);
   if (!(fabs(ledger->residual) > RESIDUAL_HEARD * given)) return;

@@ -10,7 +10,8 @@
 
 #include "render/offline_player.h"
 
-/** Prints warnings, then gives the facts: with --json in *report, otherwise in lines on standard error. */
+/** Prints warnings, then gives the facts: with --json in *report, otherwise in lines on standard
+ * error. */
 Outcome render_report(const OfflinePlayer *player, json_t **report);
 
 #endif

@@ -18,7 +18,8 @@ typedef struct Reader {
 
 /* ---- lists ---- */
 
-/* Makes room for one more item of @p size bytes; NULL if memory is short, and then @p items stays. */
+/* Makes room for one more item of @p size bytes; NULL if memory is short, and then @p items stays.
+ */
 static void *grow(void *items, size_t count, size_t *capacity, size_t size) {
   if (count < *capacity) return items;
   const size_t wanted = *capacity ? 2 * *capacity : 256;
@@ -121,8 +122,8 @@ static Outcome take_end(Reader *reader, const LogLine *line) {
   return take_length(reader, line->frames);
 }
 
-/* Whatever comes after the last message's frame is not known, unless there is a mark. Other messages may have acted at
-   that frame, too: so the sound ends before it. */
+/* Whatever comes after the last message's frame is not known, unless there is a mark. Other
+   messages may have acted at that frame, too: so the sound ends before it. */
 static Outcome take_missing_end(const Reader *reader, uint64_t complete) {
   Replay *const replay = reader->replay;
   const uint64_t last = last_frame(replay), frames = complete > last ? complete : last;

@@ -23,9 +23,10 @@ typedef struct Replay {
 } Replay;
 
 /**
- * Reads the file @p name, "-" for standard input. A log without an end is taken up to the frame to which it is
- * complete: that of its mark or of its last message. If its last line is no JSON, that line is ignored. Anything else
- * that is not a log is refused. Free with replay_free(), whatever the outcome.
+ * Reads the file @p name, "-" for standard input. A log without an end is taken up to the frame to
+ * which it is complete: that of its mark or of its last message. If its last line is no JSON, that
+ * line is ignored. Anything else that is not a log is refused. Free with replay_free(), whatever
+ * the outcome.
  */
 Outcome replay_read(const char *name, Replay *replay);
 void replay_free(Replay *replay);

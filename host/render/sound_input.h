@@ -27,8 +27,8 @@ typedef struct SoundInput {
   uint32_t mic;    /**< index among the definition's microphones */
 } SoundInput;
 
-/** Reads the first channel of the file of --input, if given, for @p def at @p rate [Hz], which the file must have. Free with
- * sound_input_free(), whatever the outcome. */
+/** Reads the first channel of the file of --input, if given, for @p def at @p rate [Hz], which the
+ * file must have. Free with sound_input_free(), whatever the outcome. */
 Outcome sound_input_read(const Arguments *arguments, const TaborDrumDef *def, double rate,
                          SoundInput *input);
 /** Copies @p count frames from frame @p first on to @p to; 0 past the end. */

@@ -67,8 +67,9 @@ static uint32_t offset_of(const DrumPlayer *player, const PlayerMessage *message
   return offset > first ? (uint32_t)offset : first;
 }
 
-/* Where the events of a block do not fit, it ends before the frame of the last ones, which may be joined by others;
-   one frame has DRUM_PLAYER_EVENTS of them at most. So it does not depend on the blocks which events act when. */
+/* Where the events of a block do not fit, it ends before the frame of the last ones, which may be
+   joined by others; one frame has DRUM_PLAYER_EVENTS of them at most. So it does not depend on the
+   blocks which events act when. */
 static uint32_t frames_of_full_block(const DrumPlayer *player, uint32_t next) {
   const uint32_t last = player->events[player->count - 1].event.frame;
   if (next > last) return next;
@@ -102,7 +103,8 @@ static void leave_former(DrumPlayer *player) {
   player->former = NULL;
 }
 
-/* The new room first, while the outputs still are the drum alone: it must not answer what fades in the former. */
+/* The new room first, while the outputs still are the drum alone: it must not answer what fades in
+ * the former. */
 static void play_rooms(DrumPlayer *player, uint32_t at, uint32_t frames) {
   if (player->room) room_mix_play(player->room, player->sound, (uint32_t)player->heard, at, frames);
   if (!player->former) return;
@@ -214,7 +216,8 @@ void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, double rate) {
   }
 }
 
-/* ---- what they are all together ---------------------------------------------------------------- */
+/* ---- what they are all together ----------------------------------------------------------------
+ */
 
 /* A drum of the kit, or the only one; NULL past the last. */
 static const TaborDrum *drum_at(const DrumPlayer *player, uint32_t index) REALTIME;

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file drum_player.h
- * Plays a drum or a kit: messages become events with their frames, and blocks are computed. Render, play and plugins
- * differ in where messages come from and where the sound goes; this is what they share. Outputs of a drum are its
- * microphones; those of a kit its mix, left and right, with its samples, and then each drum's part of it, without room.
+ * Plays a drum or a kit: messages become events with their frames, and blocks are computed. Render,
+ * play and plugins differ in where messages come from and where the sound goes; this is what they
+ * share. Outputs of a drum are its microphones; those of a kit its mix, left and right, with its
+ * samples, and then each drum's part of it, without room.
  *
- * A message acts at its frame for every block size: the same messages give the same sound to the bit. One
- * whose frame has passed acts at once. Real-time safe.
+ * A message acts at its frame for every block size: the same messages give the same sound to the
+ * bit. One whose frame has passed acts at once. Real-time safe.
  */
 #ifndef TABOR_HOST_DRUM_PLAYER_H
 #define TABOR_HOST_DRUM_PLAYER_H
@@ -66,7 +67,8 @@ void drum_player_ledger(const DrumPlayer *player, TaborLedger *sum) REALTIME;
 void drum_player_statistics(const DrumPlayer *player, TaborStatistics *sum) REALTIME;
 /** Puts @p room behind the outputs; the one before fades out, and is left then. */
 void drum_player_set_room(DrumPlayer *player, RoomMix *room) REALTIME;
-/** Brings drum and room to rest and forgets the expression; messages taken but not yet played are lost. */
+/** Brings drum and room to rest and forgets the expression; messages taken but not yet played are
+ * lost. */
 void drum_player_rest(DrumPlayer *player) REALTIME;
 /** Plays @p frames frames, at most DRUM_PLAYER_BLOCK, into sound. */
 void drum_player_play(DrumPlayer *player, DrumSourceFn *take, void *source,

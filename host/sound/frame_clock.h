@@ -4,9 +4,9 @@
  * Converts the time at which a key or note arrived into a frame.
  *
  * Blocks come a little early or late, and a device's rate differs from its nominal rate by some
- * parts in 10^5. The time of frame 0 is therefore estimated from many blocks with a low-pass filter.
- * An event at time t falls on frame (t - zero) rate + delay. The delay is constant, one block of the
- * device, so that this frame cannot have been computed yet.
+ * parts in 10^5. The time of frame 0 is therefore estimated from many blocks with a low-pass
+ * filter. An event at time t falls on frame (t - zero) rate + delay. The delay is constant, one
+ * block of the device, so that this frame cannot have been computed yet.
  */
 #ifndef TABOR_HOST_FRAME_CLOCK_H
 #define TABOR_HOST_FRAME_CLOCK_H

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The audio thread's part of the player. It does not allocate, lock or make system calls (the clock is read
- * in user space). Its work is bounded by the number of frames, by DRUM_PLAYER_EVENTS events per frame, and by
- * the capacity of the queues.
+ * The audio thread's part of the player. It does not allocate, lock or make system calls (the clock
+ * is read in user space). Its work is bounded by the number of frames, by DRUM_PLAYER_EVENTS events
+ * per frame, and by the capacity of the queues.
  *
- * A device's block is played in pieces that end at multiples of PLAYER_PIECE, so that the end is checked at the same
- * frames as in a rendering.
+ * A device's block is played in pieces that end at multiples of PLAYER_PIECE, so that the end is
+ * checked at the same frames as in a rendering.
  */
 #include "sound/player.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file player_message.h
- * What a drum or kit that is played is asked to do, and at which frame: the one language of render, play and plugins.
+ * What a drum or kit that is played is asked to do, and at which frame: the one language of render,
+ * play and plugins.
  */
 #ifndef TABOR_HOST_PLAYER_MESSAGE_H
 #define TABOR_HOST_PLAYER_MESSAGE_H
@@ -10,14 +11,16 @@
 
 #include "midi/midi_to_events.h"
 
-#define PLAYER_NOW 0 /**< value of a message's frame: as soon as possible, never counted as late */
+/** value of a message's frame: as soon as possible, never counted as late */
+#define PLAYER_NOW 0
 #define PLAYER_CHANNELS 64      /**< most channels */
 #define PLAYER_NO_MIC UINT8_MAX /**< the channel has no microphone: it is silent */
 
 typedef enum PlayerMessageType {
-  PLAYER_EVENT, /**< event: any but swaps, and gains of a single drum, which have types of their own */
-  PLAYER_MODEL,     /**< event: a swap, with its outputs chosen; see strikers */
-  PLAYER_GAIN,      /**< value: output gain, a factor, reached over 5 ms */
+  PLAYER_EVENT, /**< event: any but swaps, and gains of a single drum, which have types of their own
+                 */
+  PLAYER_MODEL, /**< event: a swap, with its outputs chosen; see strikers */
+  PLAYER_GAIN,  /**< value: output gain, a factor, reached over 5 ms */
   PLAYER_EXPRESSION /**< value: a second such factor, set by MIDI */
 } PlayerMessageType;
 
@@ -38,7 +41,8 @@ static inline PlayerMessage player_message_from_kit(const TaborKitEvent *event) 
   return (PlayerMessage){
     .frame = event->event.frame, .type = PLAYER_EVENT, .drum = event->drum, .event = event->event};
 }
-/** The message for a MIDI action at @p frame. False for a preset, whose model has to be built first. */
+/** The message for a MIDI action at @p frame. False for a preset, whose model has to be built
+ * first. */
 bool player_message_from_midi(const MidiAction *action, uint64_t frame,
                               PlayerMessage *message) REALTIME;
 

@@ -14,7 +14,8 @@
 #define PLAYER_PIECE RING_OUT_BLOCK /* most frames computed at once, between checks of the end */
 #define LOAD_BINS 256 /* load histogram in steps of 1 %; the last bin holds all higher loads */
 
-/* Meters, written by the audio thread with relaxed order: readers need the numbers, not their order. */
+/* Meters, written by the audio thread with relaxed order: readers need the numbers, not their
+ * order. */
 typedef struct PlayerMeters {
   _Atomic double peak[TABOR_MAX_MICS]; /* the reader takes the value and leaves 0 */
   _Atomic double loudest;              /* peak of all channels since the start */

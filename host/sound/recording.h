@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file recording.h
- * What is played, on its way from the audio thread to the thread that writes it (take_writer.h): blocks in a queue. What the
- * disk is too slow for is left out and counted. A recording of zeros records nothing.
+ * What is played, on its way from the audio thread to the thread that writes it (take_writer.h):
+ * blocks in a queue. What the disk is too slow for is left out and counted. A recording of zeros
+ * records nothing.
  */
 #ifndef TABOR_HOST_RECORDING_H
 #define TABOR_HOST_RECORDING_H

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file ring_out.h
- * Decides when a rendering without --duration ends: once the energy of all drums, and that of the sound in their
- * room, have fallen 90 dB below their largest values since the last stroke, but at least 0.5 s and at most 20 s after that stroke.
+ * Decides when a rendering without --duration ends: once the energy of all drums, and that of the
+ * sound in their room, have fallen 90 dB below their largest values since the last stroke, but at
+ * least 0.5 s and at most 20 s after that stroke.
  */
 #ifndef TABOR_HOST_RING_OUT_H
 #define TABOR_HOST_RING_OUT_H
 
 #include "sound/drum_player.h"
 
-/** Frames between two checks of the energy. Fixed, because the length of the sound depends on it. */
+/** Frames between two checks of the energy. Fixed, because the length of the sound depends on it.
+ */
 #define RING_OUT_BLOCK DRUM_PLAYER_BLOCK
 #define RING_OUT_MOST_TIME 20.0 /**< longest time after the last stroke [s] */
 

@@ -9,8 +9,8 @@
 #include "base/message.h"
 #include "sound/room_mix.h"
 
-/** Puts the room of @p def behind outputs that are its microphones in their order. Free with room_mix_free(), whatever
- * the outcome. */
+/** Puts the room of @p def behind outputs that are its microphones in their order. Free with
+ * room_mix_free(), whatever the outcome. */
 Outcome room_create(const TaborDrumDef *def, double rate, RoomMix *room);
 
 #endif

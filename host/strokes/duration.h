@@ -9,8 +9,9 @@
 #include "base/options.h"
 
 /**
- * Of a song, @p is_song, the beginning may be enough: a note says so, unless @p quiet. A stroke of --strike or --events that would
- * not be heard is a mistake. @p last is when the last stroke comes, after --duration [s].
+ * Of a song, @p is_song, the beginning may be enough: a note says so, unless @p quiet. A stroke of
+ * --strike or --events that would not be heard is a mistake. @p last is when the last stroke comes,
+ * after --duration [s].
  */
 Outcome duration_too_short(const Arguments *arguments, bool is_song, double last, bool quiet);
 

@@ -23,8 +23,9 @@ Humanizer humanizer(double amount, uint32_t seed) {
   return (Humanizer){.amount = amount, .state = seed};
 }
 
-/* The angle from the x axis to (x, y) [deg]: halved four times, by its tangent t, which is 0.2 at most then, so that the
- * series of the arctangent up to t^15 is right to 1e-12. Made of + - * / and sqrt, so every machine has the same bits. */
+/* The angle from the x axis to (x, y) [deg]: halved four times, by its tangent t, which is 0.2 at
+ * most then, so that the series of the arctangent up to t^15 is right to 1e-12. Made of + - * / and
+ * sqrt, so every machine has the same bits. */
 static double degrees_of(double x, double y) {
   const double length = sqrt(x * x + y * y);
   if (y == 0) return x < 0 ? 180 : 0;

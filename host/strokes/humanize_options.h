@@ -9,7 +9,8 @@
 #include "base/options.h"
 #include "strokes/humanize.h"
 
-/** Rows of an option table for the options that humanize_read() reads; @p fallback is a string, "0". */
+/** Rows of an option table for the options that humanize_read() reads; @p fallback is a string,
+ * "0". */
 #define OPTION_HUMANIZE(fallback)                                                                  \
   { "humanize", 0, "AMOUNT", "scatter of place and speed, 0 to 1 (default " fallback ")" }
 #define OPTION_SEED                                                                                \

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stroke.h
- * One stroke, built from fields such as "velocity" and "2.5", from a --strike option or a line of an events
- * file. With the field "event" it presses, lifts or moves a stroke in play instead.
+ * One stroke, built from fields such as "velocity" and "2.5", from a --strike option or a line of
+ * an events file. With the field "event" it presses, lifts or moves a stroke in play instead.
  */
 #ifndef TABOR_HOST_STROKE_H
 #define TABOR_HOST_STROKE_H
@@ -14,8 +14,8 @@
 
 #include <tabor/kit.h>
 
-/** Number of fields: drum, time, velocity, midi, radius, angle, striker, technique, pressure, hold, id, event; and of a pluck wire,
-    place, displacement, pull */
+/** Number of fields: drum, time, velocity, midi, radius, angle, striker, technique, pressure, hold,
+   id, event; and of a pluck wire, place, displacement, pull */
 #define STROKE_FIELDS 16
 #define TECHNIQUE_NAMES (TABOR_TECHNIQUE_PLUCK + 1)
 
@@ -55,22 +55,24 @@ typedef struct Stroke {
   TaborEvent event;
 } Stroke;
 
-/** Whether a striker can play a technique: a brush has no shaft that could meet the hoop, and nothing else sweeps. */
+/** Whether a striker can play a technique: a brush has no shaft that could meet the hoop, and
+ * nothing else sweeps. */
 bool striker_can(const TaborStrikerDef *striker, TaborTechnique technique);
 /** True if a field has set the hold. */
 bool stroke_says_hold(const Stroke *stroke);
 /** True of a buzz or a sweep, which a hand presses until it lifts the stick. */
 bool stroke_is_held(const TaborEvent *event);
-/** Call after all fields were read: fills in the values that depend on several fields. Refused are a pluck on a drum without
-    that wire, fields of a pluck for others and the reverse, a sweep without a brush or
-    with a speed out of the range of sweep_speed, a rimshot or a cross-stick with a brush, and pressure or hold of a
-    stroke that is not held. */
+/** Call after all fields were read: fills in the values that depend on several fields. Refused are
+   a pluck on a drum without that wire, fields of a pluck for others and the reverse, a sweep
+   without a brush or with a speed out of the range of sweep_speed, a rimshot or a cross-stick with
+   a brush, and pressure or hold of a stroke that is not held. */
 Outcome stroke_complete(const Stroke *stroke, TaborEvent *event);
 /** Returns the preset's own stroke, at time 0. */
 Stroke stroke_default(const TaborDrumDef *def, const char *where);
 /**
- * The same of the drum that @p name of @p length bytes, the value of the field "drum", says. NULL: there is no such field. Refused are a
- * kit's stroke without it, an unknown name, and a name where there is one drum.
+ * The same of the drum that @p name of @p length bytes, the value of the field "drum", says. NULL:
+ * there is no such field. Refused are a kit's stroke without it, an unknown name, and a name where
+ * there is one drum.
  */
 Outcome stroke_begin(const StrokeTarget *target, const char *where, const char *name, size_t length,
                      Stroke *stroke);

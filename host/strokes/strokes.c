@@ -25,8 +25,8 @@ static Outcome add_event(Strokes *strokes, const TaborEvent *event, double time)
   return OUTCOME_OK;
 }
 
-/* What `parameter` marks a release as until they are sorted: the end of a buzz or a sweep, at the time that the stroke
-   says, or at the usual one. */
+/* What `parameter` marks a release as until they are sorted: the end of a buzz or a sweep, at the
+   time that the stroke says, or at the usual one. */
 enum { LIFT = 1, USUAL_LIFT = 2 };
 
 static Outcome add_lift(Strokes *strokes, const Stroke *stroke, const TaborEvent *held) {
@@ -98,8 +98,8 @@ static uint32_t set_out(const TaborEvent *events, size_t move) {
   return events[move].frame;
 }
 
-/* A row says where a brush is; an event, where it goes from now on. From the last one back, so that all see
-   where the rows before them are. */
+/* A row says where a brush is; an event, where it goes from now on. From the last one back, so that
+   all see where the rows before them are. */
 static void draw_ways(Strokes *strokes) {
   TaborEvent *const events = strokes->events;
   for (size_t i = strokes->count; i-- > 0;) {

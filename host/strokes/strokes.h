@@ -11,8 +11,8 @@
 #define MOST_STROKES 100000
 
 /**
- * Events in order of time; event.frame counts from the start of the sound. The release of a buzz or a sweep
- * is a later event. A move is at the frame where it starts.
+ * Events in order of time; event.frame counts from the start of the sound. The release of a buzz or
+ * a sweep is a later event. A move is at the frame where it starts.
  */
 typedef struct Strokes {
   TaborEvent *events;
@@ -21,9 +21,11 @@ typedef struct Strokes {
   MidiResponse response; /**< for velocities given as midi */
 } Strokes;
 
-/** Appends a stroke of any time, and the release of a buzz or a sweep. Call strokes_sort() after the last. */
+/** Appends a stroke of any time, and the release of a buzz or a sweep. Call strokes_sort() after
+ * the last. */
 Outcome strokes_add(Strokes *strokes, const Stroke *stroke);
-/** Sorts by time, converts moves, and drops outdated releases. Call once, after the last strokes_add(). */
+/** Sorts by time, converts moves, and drops outdated releases. Call once, after the last
+ * strokes_add(). */
 void strokes_sort(Strokes *strokes);
 /** Makes @p stroke the only one. */
 Outcome strokes_replace(Strokes *strokes, const Stroke *stroke);

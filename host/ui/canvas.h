@@ -4,8 +4,8 @@
  * A character screen. Each frame is drawn in full, but only changed cells are sent to the terminal.
  *
  * Cells are one column wide. Wide or combining characters are shown as '?', and without UTF-8 all
- * non-ASCII characters are. Styles work on light and dark backgrounds: they change weight and colour of
- * the text, and the background only by reversing.
+ * non-ASCII characters are. Styles work on light and dark backgrounds: they change weight and
+ * colour of the text, and the background only by reversing.
  */
 #ifndef TABOR_HOST_CANVAS_H
 #define TABOR_HOST_CANVAS_H
@@ -40,7 +40,8 @@ typedef struct Canvas {
   Cell drawn[CANVAS_ROWS][CANVAS_COLUMNS], shown[CANVAS_ROWS][CANVAS_COLUMNS];
 } Canvas;
 
-/** Starts an empty picture of this size. Before the first call, the canvas is {0} but for utf8 and colour. */
+/** Starts an empty picture of this size. Before the first call, the canvas is {0} but for utf8 and
+ * colour. */
 void canvas_begin(Canvas *canvas, int columns, int rows);
 /** Writes UTF-8 from this cell on, as far as there is room; returns the column after the text. */
 int canvas_text(Canvas *canvas, int row, int column, Style style, const char *text);
@@ -54,7 +55,8 @@ void canvas_bar(Canvas *canvas, int row, int column, int width, double share, St
 /** Draws one character. */
 void canvas_put(Canvas *canvas, int row, int column, Style style, uint32_t point);
 
-/** Writes the bytes that update the terminal to @p bytes, of size CANVAS_BYTES; returns their number. */
+/** Writes the bytes that update the terminal to @p bytes, of size CANVAS_BYTES; returns their
+ * number. */
 size_t canvas_update(Canvas *canvas, char *bytes);
 /** Marks the contents of the terminal as unknown: the next update redraws everything. */
 void canvas_forget(Canvas *canvas);

@@ -31,8 +31,8 @@ typedef enum CommandWord {
 /** The word of command @p index, a NameAt; NULL past the last. @p list is ignored. */
 const char *command_word_at(const void *list, size_t index);
 /**
- * Finds the command in @p text and the text after its word. Refuses an unknown word, with the nearest command; a
- * missing argument; and an argument that the command does not take.
+ * Finds the command in @p text and the text after its word. Refuses an unknown word, with the
+ * nearest command; a missing argument; and an argument that the command does not take.
  */
 Outcome command_words_read(const char *text, CommandWord *command, const char **rest);
 

@@ -37,7 +37,8 @@ static void bind_technique(Keymap *keymap, Key key, const char *technique) {
   (void)bind(keymap, &binding);
 }
 
-/* Rows of a keyboard from the centre to nearly the rim; what is left of a row plays the outermost zone. */
+/* Rows of a keyboard from the centre to nearly the rim; what is left of a row plays the outermost
+ * zone. */
 static void bind_zones(Keymap *keymap, const char *row, ActionKind kind) {
   static const double outermost = 0.92; /* a stick that hits closer to the rim hits the rim */
   static const size_t zones = 9;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file keymap.h
- * The action of each key of the computer keyboard during play: the default map, and changes to it from
- * a file (docs/keyboard.md):
+ * The action of each key of the computer keyboard during play: the default map, and changes to it
+ * from a file (docs/keyboard.md):
  *
  *     [keys]
  *     a = stroke 0%        ; the head's centre

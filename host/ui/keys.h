@@ -3,9 +3,10 @@
  * @file keys.h
  * Decodes a terminal's bytes into keys.
  *
- * A key is a character's code point, or a constant below. Characters come as UTF-8. Other keys come as
- * sequences of bytes that start with Escape (ECMA-48, and the sequences of xterm and the Linux console).
- * Bytes come in pieces of any size. Only a pause tells the Escape key from the start of a sequence.
+ * A key is a character's code point, or a constant below. Characters come as UTF-8. Other keys come
+ * as sequences of bytes that start with Escape (ECMA-48, and the sequences of xterm and the Linux
+ * console). Bytes come in pieces of any size. Only a pause tells the Escape key from the start of a
+ * sequence.
  */
 #ifndef TABOR_HOST_KEYS_H
 #define TABOR_HOST_KEYS_H
@@ -41,7 +42,8 @@ enum {
 
 /** Bytes of a key name with its terminator: "page-down", "left-bracket". */
 #define KEY_NAME_SIZE 16
-/** Time that an Escape waits for the rest of a sequence [ms]: longer than a connection takes to deliver it. */
+/** Time that an Escape waits for the rest of a sequence [ms]: longer than a connection takes to
+ * deliver it. */
 #define KEY_PATIENCE 40
 
 #define KEY_LONGEST_SEQUENCE 32 /**< bytes; longer sequences are no key */
@@ -59,10 +61,12 @@ typedef struct KeyDecoder {
 size_t key_decoder_feed(KeyDecoder *decoder, unsigned char byte, Key keys[KEYS_AT_ONCE]);
 /** True while an incomplete key waits for more bytes. */
 bool key_decoder_waits(const KeyDecoder *decoder);
-/** Call after KEY_PATIENCE without a byte: turns the waiting bytes into @p keys; returns their number. */
+/** Call after KEY_PATIENCE without a byte: turns the waiting bytes into @p keys; returns their
+ * number. */
 size_t key_decoder_expire(KeyDecoder *decoder, Key keys[KEYS_AT_ONCE]);
 
-/** Number of bytes of the UTF-8 character at the terminated @p text, and its code point; 0 if invalid. */
+/** Number of bytes of the UTF-8 character at the terminated @p text, and its code point; 0 if
+ * invalid. */
 size_t utf8_read(const char *text, uint32_t *point);
 /** Writes a code point as UTF-8, up to 4 bytes; returns their number. */
 size_t utf8_write(uint32_t point, char *bytes);

@@ -3,8 +3,9 @@
  * @file line_editor.h
  * A line editor with a cursor and a history.
  *
- * Left, right, Home and End (Ctrl-A, Ctrl-E) move the cursor. Backspace and Delete erase a character, Ctrl-K the
- * rest, Ctrl-U the beginning, Ctrl-W a word. Up and down recall earlier lines. Enter accepts, Escape cancels.
+ * Left, right, Home and End (Ctrl-A, Ctrl-E) move the cursor. Backspace and Delete erase a
+ * character, Ctrl-K the rest, Ctrl-U the beginning, Ctrl-W a word. Up and down recall earlier
+ * lines. Enter accepts, Escape cancels.
  */
 #ifndef TABOR_HOST_LINE_EDITOR_H
 #define TABOR_HOST_LINE_EDITOR_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file notices.h
- * Collects messages while a screen is drawn. They wait for the screen's message line; errors and warnings are
- * printed again after the screen is closed.
+ * Collects messages while a screen is drawn. They wait for the screen's message line; errors and
+ * warnings are printed again after the screen is closed.
  */
 #ifndef TABOR_HOST_NOTICES_H
 #define TABOR_HOST_NOTICES_H

@@ -15,7 +15,8 @@ typedef struct PlayLog {
   uint64_t strokes, xruns, dropped, recovered, ignored_notes;
 } PlayLog;
 
-/** Prints changes since the last call, a line each: strokes, a new drum, dropouts and other trouble. */
+/** Prints changes since the last call, a line each: strokes, a new drum, dropouts and other
+ * trouble. */
 void play_log_take(PlayLog *log, const PlayStatus *status, double head_radius);
 
 #endif

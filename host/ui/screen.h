@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file screen.h
- * Draws the screen of `tabor play` on a canvas, from plain numbers. It does not access the terminal.
+ * Draws the screen of `tabor play` on a canvas, from plain numbers. It does not access the
+ * terminal.
  *
- * From the top: the drum and the device, a meter per channel, the load, the drum's state, the last event, the
- * settings, a line for messages and one for commands. If the terminal is too low, the least important rows
- * are left out first; if it is too narrow, rows are cut at the end.
+ * From the top: the drum and the device, a meter per channel, the load, the drum's state, the last
+ * event, the settings, a line for messages and one for commands. If the terminal is too low, the
+ * least important rows are left out first; if it is too narrow, rows are cut at the end.
  */
 #ifndef TABOR_HOST_SCREEN_H
 #define TABOR_HOST_SCREEN_H

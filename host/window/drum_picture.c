@@ -17,7 +17,8 @@ static const double DEPTH = 5e-4;  /* [m] of a head that is as bright or dark as
 
 /* ---- microphones ---------------------------------------------------------------------------- */
 
-/* Parts of the head's radius as they are seen: beyond the head, 1 to infinity is 1 to 1 + AROUND. */
+/* Parts of the head's radius as they are seen: beyond the head, 1 to infinity is 1 to 1 + AROUND.
+ */
 static double seen(double part) { return part <= 1 ? part : 1 + AROUND * (1 - 1 / part); }
 
 static double unseen(double part) {

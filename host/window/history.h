@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file history.h
- * What a window can take back, and two settings that it compares. A setting is plain data of one size: a drum with its
- * knobs, or the knobs of a kit. All functions are for the main thread.
+ * What a window can take back, and two settings that it compares. A setting is plain data of one
+ * size: a drum with its knobs, or the knobs of a kit. All functions are for the main thread.
  */
 #ifndef TABOR_WINDOW_HISTORY_H
 #define TABOR_WINDOW_HISTORY_H

@@ -45,7 +45,8 @@ static double down(const Floor *floor, double y) {
   return FLOOR.y + 0.5 * FLOOR.height - floor->scale * (y - floor->y);
 }
 
-/* A place in the frame of a drum on its side: along its axis from the batter head on, and aside [m]. */
+/* A place in the frame of a drum on its side: along its axis from the batter head on, and aside
+ * [m]. */
 static void turned(const WindowDrum *drum, double x, double y, double *along, double *aside) {
   const double angle = drum->facing * PI / 180;
   const double away_x = x - drum->x, away_y = y - drum->y;

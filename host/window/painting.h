@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file painting.h
- * What the pictures of all windows are made of: boxes, colours, texts, buttons and meters, at scale 1.
+ * What the pictures of all windows are made of: boxes, colours, texts, buttons and meters, at
+ * scale 1.
  */
 #ifndef TABOR_WINDOW_PAINTING_H
 #define TABOR_WINDOW_PAINTING_H
@@ -49,7 +50,8 @@ void paint_way(cairo_t *cairo, const Box *way, double position);
 void paint_button(cairo_t *cairo, Button button, const char *text, bool lit);
 /** The button at a place, or BUTTON_COUNT. */
 Button button_at(double x, double y);
-/** Title, the buttons of all windows and the meters of two sides, whose peaks are 1 at full scale. */
+/** Title, the buttons of all windows and the meters of two sides, whose peaks are 1 at full scale.
+ */
 void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
                  const double peaks[2]);
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file picture.h
- * The picture of a window, drawn by cairo: at the left the drums (drum_picture.h, kit_picture.h), at the right the controls.
+ * The picture of a window, drawn by cairo: at the left the drums (drum_picture.h, kit_picture.h),
+ * at the right the controls.
  */
 #ifndef TABOR_WINDOW_PICTURE_H
 #define TABOR_WINDOW_PICTURE_H

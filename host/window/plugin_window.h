@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_window.h
- * The window of an instrument, whatever its plugin format: what it shows of the drum or the kit, strokes, controls,
- * presets, two settings to compare, and undo. All functions are for the main thread.
+ * The window of an instrument, whatever its plugin format: what it shows of the drum or the kit,
+ * strokes, controls, presets, two settings to compare, and undo. All functions are for the main
+ * thread.
  */
 #ifndef TABOR_WINDOW_PLUGIN_WINDOW_H
 #define TABOR_WINDOW_PLUGIN_WINDOW_H
@@ -37,7 +38,8 @@ void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *h
 /** Gives it the size at @p scale, limited. */
 void plugin_window_scale(PluginWindow *window, double scale);
 
-/** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too little memory. */
+/** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too
+ * little memory. */
 bool plugin_window_open(PluginWindow *window, unsigned long parent);
 bool plugin_window_is_open(const PluginWindow *window);
 void plugin_window_close(PluginWindow *window);

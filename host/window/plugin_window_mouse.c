@@ -108,8 +108,8 @@ static void raise_mic(PluginWindow *window, uint32_t number, int steps) {
 
 /* ---- buttons -------------------------------------------------------------------------------- */
 
-/* A built-in kit is a value of its knob, so that the host can record it. Levels and tunings stay with the numbers of drums, as in
- * the host's own list. */
+/* A built-in kit is a value of its knob, so that the host can record it. Levels and tunings stay
+ * with the numbers of drums, as in the host's own list. */
 static void step_preset(PluginWindow *window, int steps) {
   const PluginWindowShell *const shell = &window->shell;
   const InstrumentKind *const kind = shell->instrument->kind;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The insides of a window, for plugin_window.c, which opens and closes it, plugin_window_looks.c, which fills its scene, and
- * plugin_window_mouse.c, which acts on what the mouse does. Calls go from the first to the others, and from the last to the second. */
+/* The insides of a window, for plugin_window.c, which opens and closes it, plugin_window_looks.c,
+ * which fills its scene, and plugin_window_mouse.c, which acts on what the mouse does. Calls go
+ * from the first to the others, and from the last to the second. */
 #ifndef TABOR_WINDOW_PLUGIN_WINDOW_STATE_H
 #define TABOR_WINDOW_PLUGIN_WINDOW_STATE_H
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file window_scene.h
- * What a window shows at one moment: a page of controls, and one drum from above, or the drums of a kit where they stand.
+ * What a window shows at one moment: a page of controls, and one drum from above, or the drums of a
+ * kit where they stand.
  */
 #ifndef TABOR_WINDOW_WINDOW_SCENE_H
 #define TABOR_WINDOW_WINDOW_SCENE_H
@@ -26,7 +27,8 @@ typedef struct WindowMic {
   double radius, angle, height;
 } WindowMic;
 
-/** A drum of a kit: the place of its batter head, seen from above, y away from the player [m]; angles [deg]. */
+/** A drum of a kit: the place of its batter head, seen from above, y away from the player [m];
+ * angles [deg]. */
 typedef struct WindowDrum {
   char name[TABOR_NAME_SIZE];
   double x, y, height, radius, depth, tilt, facing;

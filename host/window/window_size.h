@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file window_size.h
- * The sizes of all windows: from half to four times WINDOW_WIDTH by WINDOW_HEIGHT, in these proportions.
+ * The sizes of all windows: from half to four times WINDOW_WIDTH by WINDOW_HEIGHT, in these
+ * proportions.
  */
 #ifndef TABOR_WINDOW_WINDOW_SIZE_H
 #define TABOR_WINDOW_WINDOW_SIZE_H

@@ -32,7 +32,8 @@ static xcb_visualtype_t *visual_of(xcb_screen_t *screen) {
   return NULL;
 }
 
-/* With the root's depth and visual, whatever the outer window has; so it needs a border pixel of its own. */
+/* With the root's depth and visual, whatever the outer window has; so it needs a border pixel of
+ * its own. */
 static bool open_window(X11Window *window, unsigned long parent) {
   int number = 0;
   window->connection = xcb_connect(NULL, &number);

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file x11_window.h
- * A window inside another program's window, on X11, drawn by cairo. It has its own connection to the server, through
- * XCB: an error of the server, as when the outer window is gone already, comes as an event and does no harm.
+ * A window inside another program's window, on X11, drawn by cairo. It has its own connection to
+ * the server, through XCB: an error of the server, as when the outer window is gone already, comes
+ * as an event and does no harm.
  *
  * All functions are for one thread.
  */
@@ -25,7 +26,8 @@ typedef struct X11Handler {
 
 typedef struct X11Window X11Window;
 
-/** Creates a hidden window inside @p parent, an id of X11. NULL if there is no server, or memory is short. */
+/** Creates a hidden window inside @p parent, an id of X11. NULL if there is no server, or memory is
+ * short. */
 X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t height,
                              const X11Handler *handler);
 /** Ignores NULL. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The air: matrices against values from independent quadrature, limits known in closed form, and the
- * field against a direct sum of the Rayleigh integral. */
+/* The air: matrices against values from independent quadrature, limits known in closed form, and
+ * the field against a direct sum of the Rayleigh integral. */
 #include <complex.h>
 #include <math.h>
 #include <setjmp.h>
@@ -73,9 +73,9 @@ static void matrices_agree_with_independent_quadrature(void **state) {
   json_decref(root);
 }
 
-/* A rigid disc as a sum of modes: 1 = Sum 2/(z J_1(z)) J_0(z r), which converges slowly at the edge,
- * so the comparison takes many modes
- * and the tolerances below are what is left of the edge. */
+/* A rigid disc as a sum of modes: 1 = Sum 2/(z J_1(z)) J_0(z r), which converges slowly at the
+ * edge, so the comparison takes many modes and the tolerances below are what is left of the edge.
+ */
 static void rigid_disc(uint32_t count, double x, TaborBoundary boundary, TbAirLoad *load) {
   TbArena arena = scratch_arena();
   double *zeros = tb_arena_doubles(&arena, count), *v = tb_arena_doubles(&arena, count);
@@ -93,8 +93,8 @@ static void open_rigid_disc_has_its_known_limits(void **state) {
   const double x = 0.1;
   TbAirLoad load;
   rigid_disc(60, x, TABOR_BOUNDARY_OPEN, &load);
-  /* M = 8/3 rho0 R^3 and, as for any dipole, omega^4 M^2/(12 pi rho0 c0^3) = (16/27 pi) x^4 rho0 c0 R^2;
-   * ours are in units of 2 pi rho0 R^3 and 2 pi rho0 c0 R^2. */
+  /* M = 8/3 rho0 R^3 and, as for any dipole, omega^4 M^2/(12 pi rho0 c0^3) = (16/27 pi) x^4 rho0 c0
+   * R^2; ours are in units of 2 pi rho0 R^3 and 2 pi rho0 c0 R^2. */
   const double mass = 8.0 / 3.0 / (2.0 * PI);
   const double resistance = 16.0 / (27.0 * PI) * pow(x, 4.0) / (2.0 * PI);
   print_message("open disc: mass %.6f of the limit, resistance %.6f\n", load.mass / mass,
@@ -149,7 +149,8 @@ static void load_at_finite_frequency_meets_the_matrices(void **state) {
   }
 }
 
-/* The (0,1) mode's mass grows with frequency at first: values of the design's independent computation. */
+/* The (0,1) mode's mass grows with frequency at first: values of the design's independent
+ * computation. */
 static void open_mass_at_finite_frequency(void **state) {
   (void)state;
   static const double X[] = {0.5, 1.0, 2.0}, RATIO[] = {1.05, 1.21, 1.24};
@@ -178,9 +179,9 @@ static void prepare_order(TbAirOrder *order, TbArena *arena, uint32_t m, double 
 }
 
 /* Pressure of the baffled shape by summing sources over the disc: p = -omega^2 rho0/(2 pi)
- * Int w e^{-i k s}/s dA, so I = (1/2 pi) Int w e^{-i x s}/s dA at angle 0. Rings by Gauss-Legendre, evenly
- * spaced spokes: for a point off the disc the integrand is smooth and periodic, and both converge faster
- * than any power. */
+ * Int w e^{-i k s}/s dA, so I = (1/2 pi) Int w e^{-i x s}/s dA at angle 0. Rings by Gauss-Legendre,
+ * evenly spaced spokes: for a point off the disc the integrand is smooth and periodic, and both
+ * converge faster than any power. */
 static double complex rayleigh(uint32_t m, double z, double x, TbAirPoint point) {
   enum { PANELS = 16, SPOKES = 512 };
   double rings[PANELS * TB_PANEL], weights[PANELS * TB_PANEL];
@@ -253,8 +254,8 @@ static double complex extrapolate(int count, const double *places, const double 
   return sum;
 }
 
-/* Up to two radii from the centre fields come from integrals, beyond from spherical waves: what the first
- * foretell by continuation is what the second give, for both boundaries and on both sides. */
+/* Up to two radii from the centre fields come from integrals, beyond from spherical waves: what the
+ * first foretell by continuation is what the second give, for both boundaries and on both sides. */
 static void near_and_far_fields_meet(void **state) {
   (void)state;
   enum { INSIDE = 8, ZEROS = 5 };
@@ -294,7 +295,8 @@ static void near_and_far_fields_meet(void **state) {
   assert_true(worst < 1e-5); /* continuing eight points by a step multiplies their errors by 255 */
 }
 
-/* The memory of a field holds its nodes: a distant point needs no more of them than one at three radii. */
+/* The memory of a field holds its nodes: a distant point needs no more of them than one at three
+ * radii. */
 static void a_distant_point_takes_no_more_work(void **state) {
   (void)state;
   static const TbAirPoint NEAR = {2.0, 2.3}, DISTANT = {200.0, -200.0};
@@ -360,8 +362,8 @@ static double distance_of(const double *a, const double *b, double size) {
   return hypot(a[0] - size * b[0], a[1] - size * b[1]) / (hypot(size * b[0], size * b[1]) + 1e-6);
 }
 
-/* Two heads at one place: outwards alike they are both sides of a baffled head, against each other an open
- * one. */
+/* Two heads at one place: outwards alike they are both sides of a baffled head, against each other
+ * an open one. */
 static void a_flat_drum_is_a_baffled_or_an_open_head(void **state) {
   (void)state;
   for (uint32_t m = 0; m < 4; m++) {
@@ -396,9 +398,9 @@ static void a_flat_drum_is_a_baffled_or_an_open_head(void **state) {
   }
 }
 
-/* Far below its first wavelength one head of a drum is a monopole in free space: half of a baffled side. Two
- * that move outwards together are one of twice the strength, whatever the depth; against each other nearly
- * nothing. */
+/* Far below its first wavelength one head of a drum is a monopole in free space: half of a baffled
+ * side. Two that move outwards together are one of twice the strength, whatever the depth; against
+ * each other nearly nothing. */
 static void a_slow_drum_is_a_monopole(void **state) {
   (void)state;
   TbArena arena = scratch_arena();
@@ -416,8 +418,9 @@ static void a_slow_drum_is_a_monopole(void **state) {
   tb_arena_release(&arena);
 }
 
-/* The resistance that carries the power of the drum's field, through a sphere so large that p^2/(rho0 c0)
- * is the intensity: x^2 s^2 Int |I|^2 over the cosine, in units of a_m rho0 c0 R^2. */
+/* The resistance that carries the power of the drum's field, through a sphere so large that
+ * p^2/(rho0 c0) is the intensity: x^2 s^2 Int |I|^2 over the cosine, in units of a_m rho0 c0 R^2.
+ */
 static double resistance_from_afar(const TbAirOrder *order, TbArena *arena, const double *upper,
                                    const double *lower, double depth, double x) {
   enum { PANELS = 8, POINTS = PANELS * TB_PANEL };

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Bessel functions against libm's (whole orders), against closed forms (orders 1/2 and 3/2, and the sum
- * of squares), and zeros against published values. */
+/* Bessel functions against libm's (whole orders), against closed forms (orders 1/2 and 3/2, and the
+ * sum of squares), and zeros against published values. */
 #define _GNU_SOURCE /* jn */
 #include <math.h>
 #include <setjmp.h>
@@ -79,7 +79,8 @@ static void zeros_are_the_published_ones(void **state) {
   assert_true(fabs(order_2[0] - 5.135622301840683) < 1e-14);
 }
 
-/* Zeros of neighbouring orders interlace ([DLMF] 10.21(i)): none is missing, none is there twice. */
+/* Zeros of neighbouring orders interlace ([DLMF] 10.21(i)): none is missing, none is there twice.
+ */
 static void zeros_interlace(void **state) {
   (void)state;
   enum { ROOM = 96 };

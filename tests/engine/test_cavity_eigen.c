@@ -9,8 +9,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Frequencies [Hz] of one order; the basis reaches `basis` zeros, the cavity keeps modes to `top`. Outside
- * each head carries half of the open head's mass, as in the reference. */
+/* Frequencies [Hz] of one order; the basis reaches `basis` zeros, the cavity keeps modes to `top`.
+ * Outside each head carries half of the open head's mass, as in the reference. */
 static void frequencies(const TbCavityEigen *drum, uint32_t m, uint32_t basis, double top_hz,
                         uint32_t count, double *hz) {
   TaborAllocator allocator = tb_allocator_resolve(&(TaborAllocator){0});
@@ -79,8 +79,8 @@ static void coupled_drums_agree_with_the_reference(void **state) {
   json_decref(root);
 }
 
-/* With rho0 -> 0 at the same rho0 c0^2 the pressure is uniform: the cavity is a spring that the (0,1)
- * mode feels, J_0(ka) = -B J_2(ka)/(ka)^2, B = rho0 c0^2 pi a^4/(T V) [Morse1948]. */
+/* With rho0 -> 0 at the same rho0 c0^2 the pressure is uniform: the cavity is a spring that the
+ * (0,1) mode feels, J_0(ka) = -B J_2(ka)/(ka)^2, B = rho0 c0^2 pi a^4/(T V) [Morse1948]. */
 static void a_closed_cavity_of_uniform_pressure_stiffens_the_first_mode(void **state) {
   (void)state;
   static const double B[] = {1.0, 2.0, 5.0, 10.0}, KA[] = {2.5437, 2.6736, 3.0197, 3.4874};
@@ -103,8 +103,8 @@ static void a_closed_cavity_of_uniform_pressure_stiffens_the_first_mode(void **s
   }
 }
 
-/* What is left out as coordinates acts as mass. With the cavity's modes kept to 3 times the highest of the
- * frequencies compared they are off by 0.3 % at most, to 1.5 times by 1.1 %. */
+/* What is left out as coordinates acts as mass. With the cavity's modes kept to 3 times the highest
+ * of the frequencies compared they are off by 0.3 % at most, to 1.5 times by 1.1 %. */
 static void a_few_cavity_coordinates_are_enough(void **state) {
   (void)state;
   const TaborHeadDef batter = {.surface_density = 0.353, .tension = 4200.0};
@@ -163,7 +163,8 @@ static double wall_rate(const Walls *walls, const TbCavity *cavity, uint32_t mod
   return rate;
 }
 
-/* Plane waves in a long rigid tube: Kirchhoff's s = sqrt(nu omega/2) (1 + (gamma - 1)/sqrt(Pr))/R. */
+/* Plane waves in a long rigid tube: Kirchhoff's s = sqrt(nu omega/2) (1 + (gamma - 1)/sqrt(Pr))/R.
+ */
 static void walls_of_a_long_tube_take_what_kirchhoff_says(void **state) {
   (void)state;
   const TbCavity tube = {
@@ -179,8 +180,8 @@ static void walls_of_a_long_tube_take_what_kirchhoff_says(void **state) {
   tb_arena_release(&walls.arena);
 }
 
-/* Over many modes a side of admittance beta takes as much as one of coefficient 8 beta takes from sound
- * from all directions: Sabine's s = c0 S alpha/(8 V), S/V = 2/R. */
+/* Over many modes a side of admittance beta takes as much as one of coefficient 8 beta takes from
+ * sound from all directions: Sabine's s = c0 S alpha/(8 V), S/V = 2/R. */
 static void an_absorbing_side_is_sabines(void **state) {
   (void)state;
   const double beta = 0.01, top = 2.0 * PI * 8000.0, bottom = 2.0 * PI * 4000.0;
@@ -206,7 +207,8 @@ static void an_absorbing_side_is_sabines(void **state) {
   assert_true(fabs(sum / count / sabine - 1.0) < 0.1);
 }
 
-/* Far below the cavity's modes pressure is rho0 c0^2 dV/V all over, and each wall takes its part. */
+/* Far below the cavity's modes pressure is rho0 c0^2 dV/V all over, and each wall takes its part.
+ */
 static void uniform_pressure_loses_heat_at_every_wall(void **state) {
   (void)state;
   const TbCavity cavity = {.radius = 0.15,
@@ -254,8 +256,8 @@ static double rigid_modes(const TaborDrumDef *def, double from_hz, double to_hz)
   return count;
 }
 
-/* Heads that give way shift the modes of the air by some spacings and hide some in those that move heads
- * most; but none may be missing up to the last of the two-way modes. */
+/* Heads that give way shift the modes of the air by some spacings and hide some in those that move
+ * heads most; but none may be missing up to the last of the two-way modes. */
 static void no_cavity_mode_is_missing_below_the_limit(void **state) {
   (void)state;
   static const char *const DRUMS[] = {"snare-14x5.5", "snare-14x6.5-loose", "tom-12",

@@ -69,7 +69,8 @@ static void a_long_tube_has_plane_waves(void **state) {
   }
   print_message("%u modes to %g Hz: within %.2g\n", checked, model->body.bandwidth, worst);
   assert_true(checked >= 10);
-  /* Modes' shapes are right to first order in what their own frequencies change of the air outside. */
+  /* Modes' shapes are right to first order in what their own frequencies change of the air outside.
+   */
   assert_true(worst < 0.03);
   tabor_model_release(model);
 }

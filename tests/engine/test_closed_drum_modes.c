@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes of drums with air inside, in the air outside: against an independent boundary-element code, and a
- * timpano's published frequencies. */
+/* Modes of drums with air inside, in the air outside: against an independent boundary-element code,
+ * and a timpano's published frequencies. */
 #include <jansson.h>
 
 #include "physics.h"
@@ -64,7 +64,8 @@ static void two_heads_radiate_as_boundary_elements_say(void **state) {
   json_decref(root);
 }
 
-/* The preset has the published kettle and head; its tension puts (1,1) near the published 150 Hz. */
+/* The preset has the published kettle and head; its tension puts (1,1) near the published 150 Hz.
+ */
 static void a_timpano_has_its_published_frequencies(void **state) {
   (void)state;
   static const struct {
@@ -91,8 +92,9 @@ static double decay_near(double surface_density, uint32_t m, double frequency) {
   return rate;
 }
 
-/* Of air that sloshes from side to side a wall twice as heavy lets a quarter through; of air that is
- * squeezed all round, whose pressure the wall bears as a hoop, it lets next to nothing through. */
+/* Of air that sloshes from side to side a wall twice as heavy lets a quarter through; of air that
+ * is squeezed all round, whose pressure the wall bears as a hoop, it lets next to nothing through.
+ */
 static void a_heavy_wall_keeps_sound_in(void **state) {
   (void)state;
   double taken[2][2];
@@ -116,7 +118,8 @@ static double decay_lined(double absorption, uint32_t m, double frequency) {
   return rate;
 }
 
-/* A lining of the admittance of a wall that lets sound through takes as much, in proportion to its absorption. */
+/* A lining of the admittance of a wall that lets sound through takes as much, in proportion to its
+ * absorption. */
 static void a_lining_takes_what_its_admittance_says(void **state) {
   (void)state;
   const double bare = decay_lined(0.0, 1, 650.0);

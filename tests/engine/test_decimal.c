@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of decimal numbers beside strtod(), which this C library rounds correctly. Tests run in the C locale. */
+/* The reader of decimal numbers beside strtod(), which this C library rounds correctly. Tests run
+ * in the C locale. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>

@@ -227,13 +227,14 @@ static void test_table_covers_the_struct(void **state) {
   def.striker_count = TABOR_MAX_STRIKERS;
   def.mic_count = TABOR_MAX_MICS;
   def.two_headed = 1;
+  def.body.kind = TABOR_BODY_PLATE;
   assert_true(tb_walk(&def, count_bytes, owned));
   size_t bytes = 0;
   for (size_t i = 0; i < sizeof owned; i++) bytes += owned[i];
   const size_t names = (TABOR_MAX_STRIKERS + TABOR_MAX_MICS) * TABOR_NAME_SIZE;
   const size_t counts =
     4 * sizeof(uint32_t); /* struct_size, two_headed, striker_count, mic_count */
-  const size_t paddings = 15 + 2 * TABOR_MAX_STRIKERS +
+  const size_t paddings = 16 + 2 * TABOR_MAX_STRIKERS +
                           TABOR_MAX_MICS; /* a word after each odd run of uint32_t, at most */
   assert_in_range(bytes, sizeof def - names - counts - 4 * paddings, sizeof def - names - counts);
 }
@@ -716,7 +717,8 @@ static void test_random_texts(void **state) {
   assert_true(status == TABOR_OK || strncmp(error.key, "strike.", 7) == 0 ||
               strncmp(error.key, "wire", 4) == 0 || strncmp(error.key, "mic.", 4) == 0 ||
               strstr(error.key, ".muffle_radius") || strstr(error.key, ".ring_radius") ||
-              strstr(error.key, ".lug_"));
+              strstr(error.key, ".lug_") || strcmp(error.key, "resonant") == 0 ||
+              strcmp(error.key, "shell.boundary") == 0);
 }
 
 /* Numbers as text ------------------------------------------------------------------------------ */
@@ -1343,8 +1345,9 @@ static int by_value(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* However few wires there are, the highest and the lowest lie the spread from a mean of rest_offset, and the
- * others evenly between them: the same standard deviation, spread sqrt((n + 1)/(3 (n - 1))), for every seed. */
+/* However few wires there are, the highest and the lowest lie the spread from a mean of
+ * rest_offset, and the others evenly between them: the same standard deviation, spread sqrt((n +
+ * 1)/(3 (n - 1))), for every seed. */
 static void test_rest_spread(void **state) {
   (void)state;
   const double spread = 2e-4, mean = -5e-5;
@@ -1370,7 +1373,8 @@ static void test_rest_spread(void **state) {
   }
 }
 
-/* A wire of its own, one alone and even ones get none; each seed has its own order, which no tension follows. */
+/* A wire of its own, one alone and even ones get none; each seed has its own order, which no
+ * tension follows. */
 static void test_rest_order(void **state) {
   (void)state;
   TaborDrumDef def;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The eigensolver beside LAPACK's dsygv: on random, graded and clustered matrices, and on every matrix that the
- * models of the presets solve. The linker gives the engine's calls to __wrap_tb_eigen_symmetric() here. */
+/* The eigensolver beside LAPACK's dsygv: on random, graded and clustered matrices, and on every
+ * matrix that the models of the presets solve. The linker gives the engine's calls to
+ * __wrap_tb_eigen_symmetric() here. */
 #include <float.h>
 #include <math.h>
 #include <setjmp.h>
@@ -18,11 +19,13 @@
 
 /* Of the largest eigenvalue: both solvers round at each of some hundred steps. */
 static const double VALUE_ERROR = 64.0 * DBL_EPSILON;
-/* Frequencies are square roots of eigenvalues of problems with a mass: half of VALUE_ERROR, where the largest eigenvalue is
- * some 1e5 times the lowest, as on the marching drum with all coordinates of its air. */
+/* Frequencies are square roots of eigenvalues of problems with a mass: half of VALUE_ERROR, where
+ * the largest eigenvalue is some 1e5 times the lowest, as on the marching drum with all coordinates
+ * of its air. */
 static const double FREQUENCY_ERROR = 1e-9;
 static const double SHAPE_ERROR = 1e-8;
-/* Rounding turns vectors of eigenvalues closer than this by more than SHAPE_ERROR: only their span is theirs. */
+/* Rounding turns vectors of eigenvalues closer than this by more than SHAPE_ERROR: only their span
+ * is theirs. */
 static const double CLOSE = 64.0 * DBL_EPSILON / 1e-8; /* of the largest eigenvalue */
 
 typedef struct Problem {
@@ -206,7 +209,8 @@ static void solve_and_compare(const Problem *p, Worst *worst) {
   solution_free(&mine);
 }
 
-/* ---- made-up matrices ------------------------------------------------------------------------- */
+/* ---- made-up matrices -------------------------------------------------------------------------
+ */
 
 static double draw(uint64_t *seed) {
   *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -247,7 +251,8 @@ static void random_ones(void **state) {
   check("random", &worst);
 }
 
-/* Rows and columns that grow, or fall, by six decades: so do the modes of a head with their order. */
+/* Rows and columns that grow, or fall, by six decades: so do the modes of a head with their order.
+ */
 static void graded_ones(void **state) {
   (void)state;
   enum { N = 60 };
@@ -363,7 +368,8 @@ static void refused(void **state) {
   solution_free(&s);
 }
 
-/* ---- the models of the presets ----------------------------------------------------------------- */
+/* ---- the models of the presets -----------------------------------------------------------------
+ */
 
 static Worst *watching; /* NULL while nothing is compared */
 

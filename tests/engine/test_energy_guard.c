@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The energy guard on steps that were stretched by hand: x(n+1) = x(n-1) + g (x(n+1) - x(n-1)). The sum of new energy
- * and losses is convex in g and does not exceed the old energy at g = 0 and 1. So there is one g > 1 from which on a
- * step creates energy. */
+/* The energy guard on steps that were stretched by hand: x(n+1) = x(n-1) + g (x(n+1) - x(n-1)). The
+ * sum of new energy and losses is convex in g and does not exceed the old energy at g = 0 and 1. So
+ * there is one g > 1 from which on a step creates energy. */
 #include "step/energy_guard.h"
 
 #include "air/incident_sound.h"
@@ -112,7 +112,8 @@ static void stretch(TbView *view, double g) {
   for (uint32_t row = 0; row < view->model->wires.stride + TB_SLOTS; row++) view->s[row] *= g;
 }
 
-/* What the ledger would book for this step as created, contacts' losses left out: > 0 if energy came from nowhere. */
+/* What the ledger would book for this step as created, contacts' losses left out: > 0 if energy
+ * came from nowhere. */
 static double created(const TbView *view) {
   const TbLosses losses = tb_losses(view);
   const TbHoldWork hands = tb_hold_work(view);
@@ -150,7 +151,8 @@ static double one_part(const TbView *view) {
 
 /* ---- tests ---------------------------------------------------------------------------------- */
 
-/* Each loss and each work counts: the least of them shifts the limit by more than one part in a billion. */
+/* Each loss and each work counts: the least of them shifts the limit by more than one part in a
+ * billion. */
 static void it_acts_from_where_energy_is_created(void **state) {
   (void)state;
   for (int scene = 0; scene < SCENES; scene++) {
@@ -224,7 +226,8 @@ static void rest_is_no_creation(void **state) {
   assert_int_equal(view.state->ledger.statistics.guarded, 0);
 }
 
-/* Everything is shortened by the same t, which the change of penetration tells to the last digit. */
+/* Everything is shortened by the same t, which the change of penetration tells to the last digit.
+ */
 static void assert_shortened(const TbView *view, const Quantity *forged, double t, double g) {
   Quantity all[QUANTITIES];
   list(view, all);
@@ -241,8 +244,8 @@ static void assert_shortened(const TbView *view, const Quantity *forged, double 
   }
 }
 
-/* The energy that a step creates is taken out of it, and hardly more: a fourth of the shortening would not have been
- * enough. What came before the step stays as it is. */
+/* The energy that a step creates is taken out of it, and hardly more: a fourth of the shortening
+ * would not have been enough. What came before the step stays as it is. */
 static void a_stretched_step_is_shortened(void **state) {
   (void)state;
   static const double STRETCHES[] = {1e-9, 1e-7, 2e-6, 3e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.3, 2.0, 1e6};
@@ -307,7 +310,8 @@ static void a_step_without_bound_is_undone(void **state) {
   assert_true(fabs(tb_energy_stored(&view, &view.next, &view.now) - before) <= 1e-12 * before);
 }
 
-/* A drum whose whole motion lost a fifth at once would be heard: next to nothing is taken for next to nothing. */
+/* A drum whose whole motion lost a fifth at once would be heard: next to nothing is taken for next
+ * to nothing. */
 static void a_little_too_much_takes_next_to_nothing(void **state) {
   (void)state;
   play_scene(0);

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* Head and wires at rest: forces, places and shapes agree, for even wires and for the most uneven ones. */
+/* Head and wires at rest: forces, places and shapes agree, for even wires and for the most uneven
+ * ones. */
 #include "physics.h"
 #include "state/state.h"
 
-/* Error of a penetration, in units of the greatest distance of a wire's ends and shape from the head. The iteration
- * ends where the potential falls no more, at 1e-16 of it, and so at 1e-8 of displacements; a hundred points share it. */
+/* Error of a penetration, in units of the greatest distance of a wire's ends and shape from the
+ * head. The iteration ends where the potential falls no more, at 1e-16 of it, and so at 1e-8 of
+ * displacements; a hundred points share it. */
 static const double PLACE = 1e-6;
 static const double SAG = 1e-5; /* [m]: wires lie as far from a straight line by gravity alone */
 

@@ -37,8 +37,8 @@ static double rate_of(double x, uint32_t m, double (*pattern)(double cosine)) {
   return tb_far_decay_rate(&air, 0.2, m, x * air.sound_speed / 0.2, far);
 }
 
-/* P/omega^2 of a monopole F = 1, which has the volume V = 4 pi R^2, is omega^2 rho0 V^2/(8 pi c0); a dipole has a third of
- * it, and a pattern cos(m theta) half. */
+/* P/omega^2 of a monopole F = 1, which has the volume V = 4 pi R^2, is omega^2 rho0 V^2/(8 pi c0);
+ * a dipole has a third of it, and a pattern cos(m theta) half. */
 static void slow_sources_have_the_power_that_one_can_work_out(void **state) {
   (void)state;
   for (double x = 0.1; x < TB_FAR_TOP; x *= 2.0) {
@@ -50,8 +50,8 @@ static void slow_sources_have_the_power_that_one_can_work_out(void **state) {
   }
 }
 
-/* Phases count from when the sound leaves the nearest point of a head, as those of microphones: along the axis that is half
- * the depth sooner than from the middle. */
+/* Phases count from when the sound leaves the nearest point of a head, as those of microphones:
+ * along the axis that is half the depth sooner than from the middle. */
 static void phases_count_from_the_nearest_head(void **state) {
   (void)state;
   const double x = 0.5;

@@ -25,7 +25,8 @@ static double everywhere(const TaborModel *model, uint32_t row) {
   return 0.5 * STRENGTH / (model->def.batter.surface_density * area);
 }
 
-/* The modes' decay rates, with and without a ring, differ by expected(model, row), within a part of everywhere(). */
+/* The modes' decay rates, with and without a ring, differ by expected(model, row), within a part of
+ * everywhere(). */
 static void check_rates(const TaborDrumDef *def, double tolerance,
                         double (*expected)(const TaborModel *model, uint32_t row)) {
   TaborDrumDef bare = *def;
@@ -115,7 +116,8 @@ static void one_function_loses_by_its_mean_square_on_the_ring(void **state) {
   }
 }
 
-/* What is stored when this drum has rung for 0.3 s, with so many hands along the circle of the ring. */
+/* What is stored when this drum has rung for 0.3 s, with so many hands along the circle of the
+ * ring. */
 static double stored(const TaborDrumDef *def, uint32_t hands) {
   TaborModel *model = physics_model(def, 48000.0, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);

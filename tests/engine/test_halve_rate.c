@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* From two steps to a frame: pass band, stop band and delay, the poles of the elliptic low-pass that SciPy designs,
- * and a drum that sounds at the same time as at twice the rate. */
+/* From two steps to a frame: pass band, stop band and delay, the poles of the elliptic low-pass
+ * that SciPy designs, and a drum that sounds at the same time as at twice the rate. */
 #include "state/halve_rate.h"
 
 #include <complex.h>
@@ -26,7 +26,8 @@ static int set_up(void **state) {
   return 0;
 }
 
-/* Gain of the steps' frequency f, in parts of the output's rate, up to 1: where it is heard, it is at f or folded. */
+/* Gain of the steps' frequency f, in parts of the output's rate, up to 1: where it is heard, it is
+ * at f or folded. */
 static double complex gain_at(double f) {
   double complex sum = 0.0;
   for (int i = 0; i < LENGTH;
@@ -69,7 +70,8 @@ static const double POLES[2 * TB_HALVE_STAGES] = {0.0373583760, 0.1393387012, 0.
                                                   0.4362099509, 0.5844075476, 0.7170190784,
                                                   0.8345501082, 0.9442921184};
 
-/* A pole at i sqrt(a): the response to an impulse continued by the all-passes' recursion vanishes. */
+/* A pole at i sqrt(a): the response to an impulse continued by the all-passes' recursion vanishes.
+ */
 static void the_poles_are_the_elliptic_filters(void **state) {
   (void)state;
   for (int chain = 0; chain < 2; chain++) {

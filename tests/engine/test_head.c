@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The head's modes: Bessel zeros in vacuo, losses, air loading against measurement and closed forms,
- * shapes and patches. */
+/* The head's modes: Bessel zeros in vacuo, losses, air loading against measurement and closed
+ * forms, shapes and patches. */
 #include "bodies/drum/drum_modes.h"
 #include "math/arena.h"
 #include "math/bessel.h"
@@ -111,8 +111,8 @@ static void rows_are_sorted_and_complete(void **state) {
   tabor_model_release(model);
 }
 
-/* Rossing measured 1 : 1.48 : 1.92 : 2.36 : 2.78 on a timpani head without kettle [FletcherRossing];
- * the membrane alone would give 1 : 1.34 : 1.67 : 1.98 : 2.29. */
+/* Rossing measured 1 : 1.48 : 1.92 : 2.36 : 2.78 on a timpani head without kettle
+ * [FletcherRossing]; the membrane alone would give 1 : 1.34 : 1.67 : 1.98 : 2.29. */
 static void timpani_head_without_kettle_is_nearly_harmonic(void **state) {
   (void)state;
   static const double MEASURED[5] = {1.0, 1.48, 1.92, 2.36, 2.78};

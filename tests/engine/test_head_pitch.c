@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Heads tuned by what a tuner reads at a lug: the pitch of a head at a tension, the tension for a pitch, and
- * both as keys of a definition. */
+/* Heads tuned by what a tuner reads at a lug: the pitch of a head at a tension, the tension for a
+ * pitch, and both as keys of a definition. */
 #include "physics.h"
 
 #include "bodies/drum/closed_drum_modes.h"
@@ -31,7 +31,8 @@ static TaborDrumDef tuned(TaborDrumDef def) {
   return def;
 }
 
-/* ---- the pitch --------------------------------------------------------------------------------- */
+/* ---- the pitch ---------------------------------------------------------------------------------
+ */
 
 static void a_thin_head_in_vacuo_has_the_pitch_of_a_membrane(void **state) {
   (void)state;
@@ -110,7 +111,8 @@ static void pitch_follows_the_air_and_not_the_other_head(void **state) {
   assert_true(cents(pitch_of(&def, TABOR_HEAD_BATTER), pitch) > 50.0);
 }
 
-/* ---- from pitch to tension and back ---------------------------------------------------------------- */
+/* ---- from pitch to tension and back
+ * ---------------------------------------------------------------- */
 
 /* The (1,1) of the model of the drum in which the other head is rigid. */
 static double heard(const TaborDrumDef *def, TaborHead which) {
@@ -181,7 +183,8 @@ static void a_model_has_the_tension_that_tuning_gives(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- as keys of a definition ----------------------------------------------------------------------- */
+/* ---- as keys of a definition
+ * ----------------------------------------------------------------------- */
 
 static void what_is_set_later_counts(void **state) {
   (void)state;
@@ -240,7 +243,8 @@ static void a_pitch_survives_writing_key_by_key(void **state) {
   assert_memory_equal(&read, &def, sizeof def);
 }
 
-/* ---- notes ----------------------------------------------------------------------------------------- */
+/* ---- notes
+ * ----------------------------------------------------------------------------------------- */
 
 /* The frequencies are those of the equally tempered scale as tables print them. */
 static void notes_are_those_of_the_tempered_scale(void **state) {
@@ -285,7 +289,8 @@ static void other_texts_are_no_notes(void **state) {
   }
 }
 
-/* ---- errors ---------------------------------------------------------------------------------------- */
+/* ---- errors
+ * ---------------------------------------------------------------------------------------- */
 
 static void pitches_out_of_reach_are_refused(void **state) {
   (void)state;

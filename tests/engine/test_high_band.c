@@ -12,8 +12,8 @@ enum { FRAMES = 9600 }; /* 100 ms */
 
 enum { TWO_HEADS = TABOR_BOUNDARY_CLOSED + 1, INSIDE, DRUMS };
 
-/* Small and tense, so that all its modes to 16 kHz can be two-way at 96 kHz: of each boundary, and with two
- * heads, heard from above and from inside. */
+/* Small and tense, so that all its modes to 16 kHz can be two-way at 96 kHz: of each boundary, and
+ * with two heads, heard from above and from inside. */
 static TaborDrumDef small_drum(uint32_t kind) {
   TaborDrumDef def;
   tabor_drum_def_default(&def);
@@ -112,14 +112,15 @@ static double band_energy(const float *x, double lo, double hi) {
   return energy;
 }
 
-/* Third-octave levels of a struck head [dB]. Near the centre the three or so modes of a third of an octave and
- * of each low order sound alone, so that each must have its own coupling by the air. */
+/* Third-octave levels of a struck head [dB]. Near the centre the three or so modes of a third of an
+ * octave and of each low order sound alone, so that each must have its own coupling by the air. */
 static const double TOLERANCE = 1.5;
-/* Modes of the enclosed air meet modes of the heads by chance: frequencies to 1 % do not say which. At the very
- * centre one or two modes alone are a third of an octave, and the first tolerance is for those; the second is for the
- * mean over the places. */
+/* Modes of the enclosed air meet modes of the heads by chance: frequencies to 1 % do not say which.
+ * At the very centre one or two modes alone are a third of an octave, and the first tolerance is
+ * for those; the second is for the mean over the places. */
 static const double TOLERANCE_ENCLOSED = 5.0, TOLERANCE_MEAN = 2.6;
-/* Inside, the air is what is heard: a stroke on the very centre drives one or two of its modes in a third of an octave. */
+/* Inside, the air is what is heard: a stroke on the very centre drives one or two of its modes in a
+ * third of an octave. */
 static const double TOLERANCE_CENTRE = 8.0, TOLERANCE_INSIDE = 5.0, TOLERANCE_MEAN_INSIDE = 2.5;
 
 static double tolerance_at(uint32_t kind, int place) {
@@ -178,7 +179,8 @@ static void levels_agree_with_the_full_sum(void **state) {
   }
 }
 
-/* What high_band.h takes from this: an open edge's share depends on the place, not on the frequency. */
+/* What high_band.h takes from this: an open edge's share depends on the place, not on the
+ * frequency. */
 static void an_open_edge_radiates_a_fixed_part(void **state) {
   (void)state;
   static const double FROM[] = {20.0, 55.0, 95.0}, TO[] = {30.0, 68.0, 108.0};
@@ -239,7 +241,8 @@ static void baffled_functions_radiate_as_others_do(void **state) {
   tb_arena_release(&arena);
 }
 
-/* ---- losses ----------------------------------------------------------------------------------- */
+/* ---- losses -----------------------------------------------------------------------------------
+ */
 
 static TaborDrumDef lossy_drum(uint32_t kind, double density, double damping_k) {
   TaborDrumDef def = small_drum(kind);
@@ -255,7 +258,8 @@ static TaborDrumDef lossy_drum(uint32_t kind, double density, double damping_k) 
   return def;
 }
 
-/* A drum, and the same with half as much loss in its heads: the difference is without what radiates. */
+/* A drum, and the same with half as much loss in its heads: the difference is without what
+ * radiates. */
 typedef struct Halves {
   TaborModel *whole, *half;
   TbArena scratch;
@@ -336,7 +340,8 @@ static double high_factor(const Halves *halves, uint32_t h, double times) {
   return factors.sum / factors.count;
 }
 
-/* Where the air is too thin to matter, 4e-7 of a mode's mass, all modes have the loss factor sigma_k/c. */
+/* Where the air is too thin to matter, 4e-7 of a mode's mass, all modes have the loss factor
+ * sigma_k/c. */
 static void in_thin_air_all_modes_have_one_loss_factor(void **state) {
   (void)state;
   static const double THIN = 1e-8, TOLERANCE_THIN = 1e-6;
@@ -357,8 +362,9 @@ static void in_thin_air_all_modes_have_one_loss_factor(void **state) {
   }
 }
 
-/* In air, the head's part of a mode's mass grows across the border: the air is 5 % of the mass there, and a
- * quarter more or less at the means of both sides. (Over a cavity, its air has a part in two-way modes, too.) */
+/* In air, the head's part of a mode's mass grows across the border: the air is 5 % of the mass
+ * there, and a quarter more or less at the means of both sides. (Over a cavity, its air has a part
+ * in two-way modes, too.) */
 static void both_sides_of_the_border_lose_alike(void **state) {
   (void)state;
   static const double TOLERANCE_AIR = 0.02;

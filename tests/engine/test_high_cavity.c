@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes of the enclosed air in the high band: limits of the coupling of one mode with one Bessel function. */
+/* Modes of the enclosed air in the high band: limits of the coupling of one mode with one Bessel
+ * function. */
 #include "high_band/high_cavity.h"
 
 #include "math/bessel.h"
@@ -63,7 +64,8 @@ static double share(const TbAirMode *mode) {
   return mode->in_head[0] / (mode->in_air * mode->in_air);
 }
 
-/* Without losses the pair's frequency solves (w^2 - w_c^2)(w^2 - w_i^2) = K^2, with w^2 - w_c^2 = K t. */
+/* Without losses the pair's frequency solves (w^2 - w_c^2)(w^2 - w_i^2) = K^2, with w^2 - w_c^2 = K
+ * t. */
 static void a_pair_without_losses_is_exact(void **state) {
   (void)state;
   uint32_t checked = 0;

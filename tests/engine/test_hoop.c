@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Strokes on the hoop: how it yields, that it shakes the heads and loses nothing by itself, and that a rim at rest is
- * a wall. */
+/* Strokes on the hoop: how it yields, that it shakes the heads and loses nothing by itself, and
+ * that a rim at rest is a wall. */
 #include "physics.h"
 
 #include "bodies/drum/rim.h"
@@ -16,7 +16,8 @@ static TaborDrumDef rim_at_rest(void) {
   return def;
 }
 
-/* On a shell at rest, all around, with orders n < N below 8 kHz, an impulse moves the hoop by (1/m) (1 + 2 Sum cos n t). */
+/* On a shell at rest, all around, with orders n < N below 8 kHz, an impulse moves the hoop by (1/m)
+ * (1 + 2 Sum cos n t). */
 static void an_impulse_finds_the_same_mass_everywhere(void **state) {
   (void)state;
   TaborDrumDef def = rim_at_rest();
@@ -98,7 +99,8 @@ static void a_rim_at_rest_does_not_yield(void **state) {
   assert_true(fabs(ledger[1].removed / ledger[1].injected - 1.0) < 1e-12);
 }
 
-/* Hertz: a mass M at speed v against a rigid rim presses it with K (5 M v^2/(4 K))^(3/5) at most. */
+/* Hertz: a mass M at speed v against a rigid rim presses it with K (5 M v^2/(4 K))^(3/5) at most.
+ */
 static void a_hard_rim_is_met_as_hertz_says(void **state) {
   (void)state;
   TaborDrumDef def = rim_at_rest();

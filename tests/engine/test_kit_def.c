@@ -190,8 +190,8 @@ static void a_kit_has_sixteen_drums_and_one_drum_a_note(void **state) {
   free(def);
 }
 
-/* A microphone 1 m over the floor and 0.5 m to the right, seen by a drum that lies on its side: along the axis
- * is to the player. */
+/* A microphone 1 m over the floor and 0.5 m to the right, seen by a drum that lies on its side:
+ * along the axis is to the player. */
 static void a_tilted_drum_sees_the_overheads_turned(void **state) {
   (void)state;
   TaborKitDef *def = new_kit();

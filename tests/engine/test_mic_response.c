@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Frequency responses of microphones: their curves, minimum phase at every rate, no latency; and a drum whose
- * microphone has one is heard as the flat microphone hears it, through these sections. */
+/* Frequency responses of microphones: their curves, minimum phase at every rate, no latency; and a
+ * drum whose microphone has one is heard as the flat microphone hears it, through these sections.
+ */
 #include "model/mic_response.h"
 
 #include <complex.h>
@@ -226,7 +227,8 @@ static void the_same_response_goes_on_after_a_swap(void **state) {
   assert_memory_equal(heard, flat, sizeof flat);
 }
 
-/* For 8 ms the former response is heard alone; the new one has then settled, and fades in over 8 ms. */
+/* For 8 ms the former response is heard alone; the new one has then settled, and fades in over 8
+ * ms. */
 static void another_response_fades_in_after_a_swap(void **state) {
   (void)state;
   static float after[2][FRAMES];

@@ -62,7 +62,8 @@ static void what_is_null_is_named(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- what a build takes ------------------------------------------------------------------------ */
+/* ---- what a build takes ------------------------------------------------------------------------
+ */
 
 /* Of everything that costs time a legal extreme: minutes at live, hours at reference. */
 static TaborDrumDef largest_drum(void) {
@@ -80,7 +81,8 @@ static size_t most_bytes, now_bytes;
 
 enum { ALIGNMENT = 64 };
 
-/* Stands before each block of memory. Not every system has an aligned allocation that free() takes back. */
+/* Stands before each block of memory. Not every system has an aligned allocation that free() takes
+ * back. */
 typedef struct Counted {
   void *start; /* of malloc() */
   size_t size;
@@ -166,8 +168,8 @@ static void the_dearest_parameter_is_named(void **state) {
   assert_true(estimate_of(&def, TABOR_QUALITY_LIVE).seconds < many_points.seconds);
 }
 
-/* A bass drum has no wires. At reference its model took 3.7 s, at half the two-way bandwidth 2.4 s, and at half the
- * bandwidth 3.7 s on one core. */
+/* A bass drum has no wires. At reference its model took 3.7 s, at half the two-way bandwidth 2.4 s,
+ * and at half the bandwidth 3.7 s on one core. */
 static void what_saves_nothing_is_not_named(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("bass-drum-22");
@@ -246,8 +248,8 @@ TaborStatus __wrap_tb_build_estimate(const TaborDrumDef *def, uint32_t quality, 
   return status;
 }
 
-/* A limit that every build exceeds, by an estimate that is too low: the search for a pitch is ended, and so is
- * what comes after it. */
+/* A limit that every build exceeds, by an estimate that is too low: the search for a pitch is
+ * ended, and so is what comes after it. */
 static void a_limit_ends_what_was_estimated_too_low(void **state) {
   (void)state;
   for (int pitched = 0; pitched < 2; pitched++) {
@@ -269,7 +271,8 @@ static void a_limit_ends_what_was_estimated_too_low(void **state) {
   }
 }
 
-/* ---- progress and cancellation ----------------------------------------------------------------- */
+/* ---- progress and cancellation -----------------------------------------------------------------
+ */
 
 typedef struct Listener {
   uint64_t calls, end; /* so far; the call that cancels, 0: none */

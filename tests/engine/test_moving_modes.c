@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Modes that rest: nobody hears it, the ledger has it, and they move again when something pushes them. */
+/* Modes that rest: nobody hears it, the ledger has it, and they move again when something pushes
+ * them. */
 #include "physics.h"
 
 #include "drum/drum.h"
@@ -96,7 +97,8 @@ static void the_other_head_alone_is_left_out(void **state) {
   tabor_model_release(model);
 }
 
-/* Of each pair the drum's own stroke moves one copy, wherever that stroke is; one beside it moves both. */
+/* Of each pair the drum's own stroke moves one copy, wherever that stroke is; one beside it moves
+ * both. */
 static void the_own_stroke_moves_one_copy(void **state) {
   (void)state;
   static Take take, beside;
@@ -116,7 +118,8 @@ static void the_own_stroke_moves_one_copy(void **state) {
   }
 }
 
-/* A drum that is turned with its microphones, mufflers and strokes sounds as before, by whichever copies. */
+/* A drum that is turned with its microphones, mufflers and strokes sounds as before, by whichever
+ * copies. */
 static void a_turned_drum_sounds_the_same(void **state) {
   (void)state;
   static Take take, turned;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A flat plate as a body: its modes beside the literature, the air on a rigid disc, its energy account. */
+/* A flat plate as a body: its modes beside the literature, the air on a rigid disc, its energy
+ * account. */
 #include "bodies/plate/free_plate.h"
 #include "bodies/plate/plate_modes.h"
 #include "math/bessel.h"
@@ -96,7 +97,8 @@ static void shapes_are_their_bessel_series(void **state) {
   }
 }
 
-/* A light disc on its mount: the air adds 8/3 rho0 R^3 to its mass while sound is long [Lamb1932]. */
+/* A light disc on its mount: the air adds 8/3 rho0 R^3 to its mass while sound is long [Lamb1932].
+ */
 static void a_heaving_disc_carries_the_air_of_a_rigid_one(void **state) {
   (void)state;
   TaborDrumDef def = plate_def();
@@ -152,7 +154,8 @@ static void modes_have_unit_mass_and_are_orthogonal(void **state) {
   tabor_model_release(model);
 }
 
-/* A stroke's energy ends in losses and sound, at every quality, for a wide stroke at the edge and at every technique. */
+/* A stroke's energy ends in losses and sound, at every quality, for a wide stroke at the edge and
+ * at every technique. */
 static void the_energy_account_closes(void **state) {
   (void)state;
   static const double MOST[] = {[TABOR_QUALITY_DRAFT] = 1e-6,

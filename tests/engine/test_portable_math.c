@@ -20,7 +20,8 @@ static long double ulp(long double value) {
 
 typedef long double Reference(long double x);
 
-/* The largest error in ulps over arguments from `from` to `to`, each `factor` times the one before. */
+/* The largest error in ulps over arguments from `from` to `to`, each `factor` times the one before.
+ */
 static double worst_of(double (*mine)(double x), Reference *reference, double from, double to,
                        double factor) {
   long double worst = 0.0L;

@@ -83,7 +83,8 @@ static void the_counters_count(void **state) {
   tabor_model_release(model);
 }
 
-/* Plays everything of drum_script.h, with everything else that an audio thread may call in between. */
+/* Plays everything of drum_script.h, with everything else that an audio thread may call in between.
+ */
 static void perform(TaborDrum *drum, TaborView *view, const Script *script, Take *take,
                     void *bytes) {
   TaborLedger ledger;

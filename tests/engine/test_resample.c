@@ -15,7 +15,8 @@ static const double RATES[][2] = {
   {44100, 48000}, {48000, 44100}, {96000, 48000}, {22050, 192000}, {48000, 22050}};
 enum { PAIRS = sizeof RATES / sizeof *RATES, LENGTH = 4000 };
 
-/* Largest difference between a converted sine and the sine itself, away from the ends; `level`: of what it should be. */
+/* Largest difference between a converted sine and the sine itself, away from the ends; `level`: of
+ * what it should be. */
 static double error_of(double from, double to, double frequency, double level) {
   float *const in = malloc(LENGTH * sizeof *in);
   const double ratio = to / from;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Hoop and shell that move with the heads: limits with exact solutions, positive masses, rims at rest. */
+/* Hoop and shell that move with the heads: limits with exact solutions, positive masses, rims at
+ * rest. */
 #include "bodies/drum/rim.h"
 
 #include "math/bessel.h"
@@ -8,7 +9,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* The mode of order m whose frequency is nearest: of the heads alone, of the rim alone, or of any part. */
+/* The mode of order m whose frequency is nearest: of the heads alone, of the rim alone, or of any
+ * part. */
 typedef enum Which { HEADS, RIM, ANY } Which;
 
 static TaborModeInfo nearest_mode(const TaborModel *model, uint32_t m, double frequency,
@@ -25,15 +27,16 @@ static TaborModeInfo nearest_mode(const TaborModel *model, uint32_t m, double fr
 
 static double square(double x) { return x * x; }
 
-/* ---- a membrane on an edge that moves ------------------------------------------------------------ */
+/* ---- a membrane on an edge that moves
+ * ------------------------------------------------------------ */
 
 /* The rim that a membrane meets: force per displacement (K - omega^2 M). */
 typedef struct Edge {
   double mass, stiffness;
 } Edge;
 
-/* w = u J_m(k r)/J_m(k R) pulls the edge with -T dw/dr: (K - omega^2 M) + T a_m k R J_m'/J_m = 0, times
- * J_m, which has no poles. */
+/* w = u J_m(k r)/J_m(k R) pulls the edge with -T dw/dr: (K - omega^2 M) + T a_m k R J_m'/J_m = 0,
+ * times J_m, which has no poles. */
 static double balance(const TaborDrumDef *def, uint32_t m, Edge edge, double frequency) {
   const double omega = 2.0 * PI * frequency, radius = def->shell.radius;
   const double x = omega * sqrt(def->batter.surface_density / def->batter.tension) * radius;
@@ -68,8 +71,8 @@ static double worst_root(const TaborDrumDef *def, uint32_t m, Edge edge, uint32_
   return worst;
 }
 
-/* Love's frequency of a bare shell, squared and times (2 pi)^2 [Rayleigh's form for the inextensional modes
- * that are odd along the axis]; `area`: its mass per area. */
+/* Love's frequency of a bare shell, squared and times (2 pi)^2 [Rayleigh's form for the
+ * inextensional modes that are odd along the axis]; `area`: its mass per area. */
 static double love_square(const TaborShellDef *shell, double area, uint32_t n) {
   const double n2 = (double)n * n, l2 = square(0.5 * shell->depth / shell->radius);
   return shell->bending_stiffness / (area * square(square(shell->radius))) * n2 * square(n2 - 1.0) /
@@ -85,8 +88,8 @@ static TaborDrumDef frame(double mass) {
   return def;
 }
 
-/* Shell with hoop: a shift and a tilt on the stand's spring, and Love's mode with three diameters. The
- * truncated series of the lift leaves an error that falls with the basis. */
+/* Shell with hoop: a shift and a tilt on the stand's spring, and Love's mode with three diameters.
+ * The truncated series of the lift leaves an error that falls with the basis. */
 static void a_membrane_on_a_moving_edge_has_its_exact_frequencies(void **state) {
   (void)state;
   static const double TOLERANCE[] = {1e-6, 1e-6, 1e-9, 1e-5};
@@ -109,9 +112,11 @@ static void a_membrane_on_a_moving_edge_has_its_exact_frequencies(void **state) 
   }
 }
 
-/* ---- rims by themselves -------------------------------------------------------------------------- */
+/* ---- rims by themselves
+ * -------------------------------------------------------------------------- */
 
-/* Rayleigh's ring n (n^2-1)/sqrt(n^2+1) sqrt(EI/mu)/R^2, beside the spring that ties it to a shell at rest. */
+/* Rayleigh's ring n (n^2-1)/sqrt(n^2+1) sqrt(EI/mu)/R^2, beside the spring that ties it to a shell
+ * at rest. */
 static void a_hoop_has_the_modes_of_a_free_ring(void **state) {
   (void)state;
   TaborDrumDef def = physics_membrane();
@@ -156,8 +161,8 @@ static void a_shell_has_loves_frequencies(void **state) {
   tabor_model_release(model);
 }
 
-/* What heads do to the circumference, per W^2 and stretch stiffness: by Ritz's method with polynomials of
- * degree 7 in r, in plane stress with nu = 0.3. */
+/* What heads do to the circumference, per W^2 and stretch stiffness: by Ritz's method with
+ * polynomials of degree 7 in r, in plane stress with nu = 0.3. */
 static void sheets_hold_the_shell_in_shape(void **state) {
   (void)state;
   static const double RITZ[] = {0.0, 2.8710666196305293, 4.850722484061284, 6.643159465403423};
@@ -219,10 +224,11 @@ static void a_heavy_rim_is_at_rest(void **state) {
   }
 }
 
-/* ---- matrices ------------------------------------------------------------------------------------ */
+/* ---- matrices
+ * ------------------------------------------------------------------------------------ */
 
-/* The heads' mass with the lift is that of the whole shapes, so no motion has a negative one: without rim
- * or basis to speak of, too. */
+/* The heads' mass with the lift is that of the whole shapes, so no motion has a negative one:
+ * without rim or basis to speak of, too. */
 static void masses_are_positive(void **state) {
   (void)state;
   TaborDrumDef def = frame(0.05);
@@ -245,8 +251,8 @@ static void masses_are_positive(void **state) {
   }
 }
 
-/* Wires ride on the shell: a drum that bounces on its stand moves the whole head, and hardly the head under the
- * wires against their ends. The hoop goes along. */
+/* Wires ride on the shell: a drum that bounces on its stand moves the whole head, and hardly the
+ * head under the wires against their ends. The hoop goes along. */
 static void wires_ride_on_the_shell(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5");
@@ -284,9 +290,9 @@ static double decay_of_bounce(uint32_t heads, double damping_k, double damping_1
   return mode.decay_rate;
 }
 
-/* A film that its edge carries along loses next to nothing: a head's lowest mode, of K = 12 /m, would lose
- * 6 sigma_k and 72 sigma1. A film bends by (20 Hz/206 Hz)^2, 1 %, of its motion, and has 1 % of the mass, which
- * leaves a millionth of that. */
+/* A film that its edge carries along loses next to nothing: a head's lowest mode, of K = 12 /m,
+ * would lose 6 sigma_k and 72 sigma1. A film bends by (20 Hz/206 Hz)^2, 1 %, of its motion, and has
+ * 1 % of the mass, which leaves a millionth of that. */
 static void a_film_that_is_carried_along_loses_nothing(void **state) {
   (void)state;
   for (uint32_t heads = 1; heads <= 2; heads++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The sound of a shell's wall and of a hoop: against closed forms and against the power that leaves. */
+/* The sound of a shell's wall and of a hoop: against closed forms and against the power that
+ * leaves. */
 #include "physics.h"
 
 #include "bodies/drum/rim_radiation.h"
@@ -57,8 +58,8 @@ static void field_by_sums(uint32_t n, double k, double r, double z, double field
   }
 }
 
-/* Few points far from the wall, many near it: in front of it 2 cm away, and on the axis. The midpoint rule is
- * right to (h/distance)^2/24, less than 1e-4. */
+/* Few points far from the wall, many near it: in front of it 2 cm away, and on the axis. The
+ * midpoint rule is right to (h/distance)^2/24, less than 1e-4. */
 static void field_takes_points_enough(void **state) {
   (void)state;
   const double TOLERANCE = 1e-4;
@@ -127,8 +128,8 @@ static void a_tilted_wall_moves_inward_above_where_it_rises(void **state) {
   assert_true(fabs(middle[0]) < 1e-9 * fabs(above[0]));
 }
 
-/* Strips 3 cm wide: far below the sound's wavelength, dipoles in their own plane are silent, and what passes a sphere is what
- * is lost. */
+/* Strips 3 cm wide: far below the sound's wavelength, dipoles in their own plane are silent, and
+ * what passes a sphere is what is lost. */
 static void a_strip_radiates_what_it_loses(void **state) {
   (void)state;
   const double width = 0.03, away = 100.0;
@@ -174,7 +175,8 @@ static void a_hoop_that_rises_and_leans_loses_both_powers(void **state) {
   assert_true(fabs(both / apart - 1.0) < 1e-6);
 }
 
-/* Far below its wavelength the air of its circle; far above it, plane waves from both sides, 2 rho0 c w. */
+/* Far below its wavelength the air of its circle; far above it, plane waves from both sides, 2 rho0
+ * c w. */
 static void a_wide_strip_radiates_plane_waves(void **state) {
   (void)state;
   const double width = 0.02, k[] = {0.1, 1e5};
@@ -189,7 +191,8 @@ static void a_wide_strip_radiates_plane_waves(void **state) {
   }
 }
 
-/* A section that turns freely leans as the edge of a cylinder that does not stretch, n^2 x/R; a closed one turns at most twice. */
+/* A section that turns freely leans as the edge of a cylinder that does not stretch, n^2 x/R; a
+ * closed one turns at most twice. */
 static void a_hoop_leans_as_its_section_lets_it(void **state) {
   (void)state;
   TaborDrumDef def;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Rooms: decay, level and echoes as asked; no tone that rings; the same bits whatever the blocks; saved states. */
+/* Rooms: decay, level and echoes as asked; no tone that rings; the same bits whatever the blocks;
+ * saved states. */
 #include "room/room.h"
 
 #include "physics.h"
@@ -42,8 +43,8 @@ static float *zeros(size_t count) {
   return values;
 }
 
-/* Feeds two channels of dry sound, each NULL or `frames` long, in blocks of `block`; what each microphone
- * hears of the room alone, one after the other. The caller frees it. */
+/* Feeds two channels of dry sound, each NULL or `frames` long, in blocks of `block`; what each
+ * microphone hears of the room alone, one after the other. The caller frees it. */
 static float *wet_of(TaborRoom *room, const float *left, const float *right, uint32_t frames,
                      uint32_t block) {
   float *const wet = zeros((size_t)MICS * frames);
@@ -91,8 +92,8 @@ static double asked_decay(const TaborRoomInfo *info, double frequency, double ra
 
 /* ---- bands ----------------------------------------------------------------------------------- */
 
-/* Three resonances in a row, each with zeros at 0 Hz and at half the rate: about an octave for quality 1, a
- * sixth of one for 6. */
+/* Three resonances in a row, each with zeros at 0 Hz and at half the rate: about an octave for
+ * quality 1, a sixth of one for 6. */
 static void filter_band(const float *from, double *to, uint32_t frames, double frequency,
                         double quality, double rate) {
   const double w = 2.0 * PI * frequency / rate, alpha = sin(w) / (2.0 * quality);
@@ -152,8 +153,8 @@ static double measured_decay(const double *energy, uint32_t frames, double rate)
 
 /* ---- decay and level ------------------------------------------------------------------------- */
 
-/* Each octave up to 8 kHz within 5 %. There the decay changes within an octave: a sixth of one is measured. At
- * 16 kHz one pole a line loses less than the law: the longer the line, the less. */
+/* Each octave up to 8 kHz within 5 %. There the decay changes within an octave: a sixth of one is
+ * measured. At 16 kHz one pole a line loses less than the law: the longer the line, the less. */
 static const double DECAY_ERROR = 0.05, DECAY_ERROR_16K = 0.15;
 
 static void check_decay(const TaborDrumDef *def, double rate, double highest) {
@@ -190,8 +191,8 @@ static void every_octave_decays_as_asked(void **state) {
   check_decay(&def, 48000.0, 16000.0);
 }
 
-/* Energy of a band at 1 m, of the same impulse, all microphones and both feeds. A feed hears the drum from
- * sqrt(0.5^2 + 0.8^2) m. */
+/* Energy of a band at 1 m, of the same impulse, all microphones and both feeds. A feed hears the
+ * drum from sqrt(0.5^2 + 0.8^2) m. */
 static double direct_energy(uint32_t frames, double frequency, double quality, double rate) {
   float *const impulse = zeros(frames);
   double *const band = calloc(frames, sizeof *band);
@@ -204,8 +205,8 @@ static double direct_energy(uint32_t frames, double frequency, double quality, d
   return sum * 0.89 * MICS;
 }
 
-/* Late over direct energy at 1 m in dB against (16 pi/A) exp(-A/S), or without the exponential against all
- * that a diffuse field has. */
+/* Late over direct energy at 1 m in dB against (16 pi/A) exp(-A/S), or without the exponential
+ * against all that a diffuse field has. */
 static double level_error(TaborRoom *room, double frequency, double rate, bool late) {
   TaborRoomInfo info;
   tabor_room_info(room, &info);
@@ -303,7 +304,8 @@ static void microphones_inside_a_drum_hear_no_room(void **state) {
 
 /* ---- echoes ---------------------------------------------------------------------------------- */
 
-/* Six images, with delays and sizes from positions in the room that are written down here once more. */
+/* Six images, with delays and sizes from positions in the room that are written down here once
+ * more. */
 static void first_reflections_come_from_six_images(void **state) {
   (void)state;
   enum { FRAMES = 4800 };
@@ -342,8 +344,8 @@ static void first_reflections_come_from_six_images(void **state) {
   tabor_room_destroy(room);
 }
 
-/* Part of the samples that lie outside of the standard deviation, over that of Gaussian noise, in 20 ms:
- * small for single echoes, 1 once they are dense. */
+/* Part of the samples that lie outside of the standard deviation, over that of Gaussian noise, in
+ * 20 ms: small for single echoes, 1 once they are dense. */
 static double echo_density(const float *wet, uint32_t center, uint32_t half) {
   double square = 0.0;
   uint32_t outside = 0;
@@ -357,7 +359,8 @@ static double echo_density(const float *wet, uint32_t center, uint32_t half) {
   return outside / (2.0 * half) / 0.3173;
 }
 
-/* Dense within 2 mean free times of the lines in booth and studio, 4 in a hall, and dense from there on. */
+/* Dense within 2 mean free times of the lines in booth and studio, 4 in a hall, and dense from
+ * there on. */
 static void echoes_become_dense(void **state) {
   (void)state;
   static const double dense_after[] = {[TABOR_ROOM_BOOTH] = 0.025, 0.04, 0.11}; /* [s] */
@@ -384,8 +387,8 @@ static void echoes_become_dense(void **state) {
 
 /* ---- tones ----------------------------------------------------------------------------------- */
 
-/* Largest bin of a Hann window's spectrum from 200 Hz to 4 kHz, in dB over the mean of the third octave around
- * it. Of noise with n bins this is about 10 log(ln n), 8 to 9 dB. */
+/* Largest bin of a Hann window's spectrum from 200 Hz to 4 kHz, in dB over the mean of the third
+ * octave around it. Of noise with n bins this is about 10 log(ln n), 8 to 9 dB. */
 static double highest_tone(const float *wet, uint32_t frames, double rate) {
   const uint32_t low = (uint32_t)(150.0 * frames / rate), high = (uint32_t)(5100.0 * frames / rate);
   double *const power = calloc(high, sizeof *power), *const windowed =
@@ -415,7 +418,8 @@ static double highest_tone(const float *wet, uint32_t frames, double rate) {
   return 10.0 * log10(most);
 }
 
-/* Modes of the network overlap and decay alike: late in the decay no bin stands out more than this. */
+/* Modes of the network overlap and decay alike: late in the decay no bin stands out more than this.
+ */
 static const double TONE = 15.0;
 
 static void no_tone_rings(void **state) {
@@ -524,7 +528,8 @@ static double difference(const float *a, const float *b) {
 /* Feeds are rounded to float. The inverse raises that by up to 30 dB near half the rate. */
 static const double RESPONSE_ROUNDING = 1e-5;
 
-/* A room hears the same by feeds of any response; what it sends back is heard by each microphone's own. */
+/* A room hears the same by feeds of any response; what it sends back is heard by each microphone's
+ * own. */
 static void responses_of_feeds_are_undone(void **state) {
   (void)state;
   float *left = zeros(SOUND), *right = zeros(SOUND);
@@ -552,7 +557,8 @@ static void responses_of_feeds_are_undone(void **state) {
   tabor_room_destroy(coloured);
 }
 
-/* The pair's own channels: dry sound in, dry and wet out. Channels that nobody hears change nothing. */
+/* The pair's own channels: dry sound in, dry and wet out. Channels that nobody hears change
+ * nothing. */
 static void channels_may_be_the_feeds_themselves(void **state) {
   (void)state;
   float *left = bursts(1), *right = bursts(2);
@@ -713,7 +719,8 @@ static double total_of_lines(const TaborRoom *room) {
   return sum;
 }
 
-/* The lines take half the energy of a feed: the matrix and the rows of both feeds are orthogonal. */
+/* The lines take half the energy of a feed: the matrix and the rows of both feeds are orthogonal.
+ */
 static void lines_take_half_of_a_feeds_energy(void **state) {
   (void)state;
   const double rounding = 1e-6;
@@ -729,7 +736,8 @@ static void lines_take_half_of_a_feeds_energy(void **state) {
   }
 }
 
-/* The corners of every range, at the lowest and highest rate: nothing grows once the feeds are silent. */
+/* The corners of every range, at the lowest and highest rate: nothing grows once the feeds are
+ * silent. */
 static void no_room_grows(void **state) {
   (void)state;
   for (uint32_t corner = 0; corner < 16; corner++) {

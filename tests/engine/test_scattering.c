@@ -11,8 +11,9 @@ static const double PATCH = 0.03; /* l of scattering.h [m] */
 
 enum { TRIALS = 400, STEPS_A_PATCH = 10, PATCHES = 60, SMOOTH = 15 };
 
-/* The phase that a wave gains on its way over a line of random mass, whose correlation is a Gaussian of length PATCH:
- * white noise under a Gaussian of PATCH/sqrt(2). A wave is shorter by the fraction e/2 where the mass is larger by e. */
+/* The phase that a wave gains on its way over a line of random mass, whose correlation is a
+ * Gaussian of length PATCH: white noise under a Gaussian of PATCH/sqrt(2). A wave is shorter by the
+ * fraction e/2 where the mass is larger by e. */
 static double phase_of_a_way(uint64_t *seed, double wavenumber, double unevenness) {
   enum { COUNT = PATCHES * STEPS_A_PATCH };
   static double noise[COUNT + 2 * SMOOTH];
@@ -117,7 +118,8 @@ static TbView walk(TaborDrum *drum, uint32_t frames) {
   return view;
 }
 
-/* In parts of the loudest mode: single and double precision, and what drifts since a turn's sine is rounded. */
+/* In parts of the loudest mode: single and double precision, and what drifts since a turn's sine is
+ * rounded. */
 static void a_mode_keeps_its_amplitude(void **state) {
   (void)state;
   static const uint32_t QUALITIES[] = {TABOR_QUALITY_LIVE, TABOR_QUALITY_STUDIO};
@@ -197,8 +199,8 @@ static void an_even_head_scatters_nothing(void **state) {
   tabor_drum_destroy(drum);
 }
 
-/* While a stroke lasts, some 5 ms, its force meets modes that are off by some 100 Hz, where its spectrum has other notches:
- * a stroke by itself differs by 1 dB, one way or the other. */
+/* While a stroke lasts, some 5 ms, its force meets modes that are off by some 100 Hz, where its
+ * spectrum has other notches: a stroke by itself differs by 1 dB, one way or the other. */
 enum { DRAWS = 8 };
 static const double LEVEL = 0.5; /* [dB] of the mean of their energies */
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The air outside a finite rigid shell: a solution that is known everywhere, power, reciprocity, limits. */
+/* The air outside a finite rigid shell: a solution that is known everywhere, power, reciprocity,
+ * limits. */
 #include <complex.h>
 
 #include "air_model/shell_radiation.h"
@@ -18,7 +19,8 @@ static TbArena scratch_arena(void) {
   return arena;
 }
 
-/* ---- a ring of sources inside ------------------------------------------------------------------ */
+/* ---- a ring of sources inside ------------------------------------------------------------------
+ */
 
 typedef struct Field {
   double complex value, along_r, along_z;
@@ -80,9 +82,9 @@ static void ring_equations(const TbShellMesh *mesh, const TbShellRow *rows, uint
   }
 }
 
-/* Solves for the pressure on the shell from its velocity, which is that of the ring's field all over the
- * surface, side and edge included; returns the worst difference from the ring's pressure at the nodes, and
- * from its field at points outside, in parts of the largest. */
+/* Solves for the pressure on the shell from its velocity, which is that of the ring's field all
+ * over the surface, side and edge included; returns the worst difference from the ring's pressure
+ * at the nodes, and from its field at points outside, in parts of the largest. */
 static double difference_from_the_ring(const TbShellMesh *mesh, uint32_t m, uint32_t odd,
                                        double x) {
   const TbCircle ring = {0.25, 0.25 * mesh->half};
@@ -129,8 +131,8 @@ static double worst_difference(const TbShellMesh *mesh, uint32_t orders) {
   return worst;
 }
 
-/* The nodes of a drum are enough for heads, which are smoother at these x than the field of a near ring; more
- * of them resolve it too. */
+/* The nodes of a drum are enough for heads, which are smoother at these x than the field of a near
+ * ring; more of them resolve it too. */
 static void a_ring_inside_gives_back_its_own_field(void **state) {
   (void)state;
   static const double DEPTHS[] = {1.2, 2.0, 3.0};
@@ -173,7 +175,8 @@ static void a_constant_has_the_solid_angle_of_the_shell(void **state) {
   }
 }
 
-/* ---- heads -------------------------------------------------------------------------------------- */
+/* ---- heads --------------------------------------------------------------------------------------
+ */
 
 enum { ZEROS = 6, MOST_POINTS = TABOR_MAX_MICS };
 
@@ -210,8 +213,8 @@ static double resistance_of(Drum *drum, const double *upper, const double *lower
 
 static const double UPPER[ZEROS] = {0.7, 1.0, 0.1, -0.2}, LOWER[ZEROS] = {0.5, -0.3, 0.4, 0.1};
 
-/* What the surface gives, x Im Int I w, against what leaves through a sphere: per a_m, x^2 Int |I|^2 s^2
- * sin t dt. */
+/* What the surface gives, x Im Int I w, against what leaves through a sphere: per a_m, x^2 Int
+ * |I|^2 s^2 sin t dt. */
 static void power_on_the_heads_is_power_far_away(void **state) {
   (void)state;
   const double distance = 300.0;
@@ -287,9 +290,9 @@ static void loads_are_reciprocal(void **state) {
   assert_true(worst < 1e-2);
 }
 
-/* Far below the first wavelength a head over a rigid bottom is a monopole of the volume 2 pi R^2 q that it
- * displaces, q = Int w r dr: r = x^2 q^2/2. Two heads outwards give four times that, and two that move the
- * same way a dipole, next to nothing. */
+/* Far below the first wavelength a head over a rigid bottom is a monopole of the volume 2 pi R^2 q
+ * that it displaces, q = Int w r dr: r = x^2 q^2/2. Two heads outwards give four times that, and
+ * two that move the same way a dipole, next to nothing. */
 static void a_slow_drum_is_a_monopole(void **state) {
   (void)state;
   const double one[ZEROS] = {1.0}, minus[ZEROS] = {-1.0}, x = 0.02;
@@ -306,7 +309,8 @@ static void a_slow_drum_is_a_monopole(void **state) {
   }
 }
 
-/* A dipole's resistance goes like x^4, a quadrupole's (order 1, heads against each other) like x^6. */
+/* A dipole's resistance goes like x^4, a quadrupole's (order 1, heads against each other) like x^6.
+ */
 static void slow_motions_radiate_as_their_multipoles(void **state) {
   (void)state;
   const double one[ZEROS] = {1.0}, minus[ZEROS] = {-1.0};
@@ -321,8 +325,9 @@ static void slow_motions_radiate_as_their_multipoles(void **state) {
   }
 }
 
-/* Without a shell, two heads that move outwards alike are both sides of a baffled one, and two that move the
- * same way are the two sides of an open one: resistance and mass, as the depth goes to 0. */
+/* Without a shell, two heads that move outwards alike are both sides of a baffled one, and two that
+ * move the same way are the two sides of an open one: resistance and mass, as the depth goes to 0.
+ */
 static void a_thin_drum_is_a_baffled_or_an_open_head(void **state) {
   (void)state;
   static const double MINUS[ZEROS] = {-0.7, -1.0, -0.1, 0.2};
@@ -373,7 +378,8 @@ static void the_heads_of_a_long_shell_are_alone(void **state) {
   assert_true(fabs(own[1][0] / own[0][0] - 1.0) < 1e-3);
 }
 
-/* Where the wavelength is short against the head, every point meets rho0 c0: r = Int w^2 r dr, without mass. */
+/* Where the wavelength is short against the head, every point meets rho0 c0: r = Int w^2 r dr,
+ * without mass. */
 static void a_fast_head_meets_plane_waves(void **state) {
   (void)state;
   Drum drum;
@@ -388,8 +394,8 @@ static void a_fast_head_meets_plane_waves(void **state) {
   tb_arena_release(&drum.arena);
 }
 
-/* The equations on the surface fail where a soft cylinder of air would ring; the points inside hold the
- * solution there: it lies on the line through its neighbours. */
+/* The equations on the surface fail where a soft cylinder of air would ring; the points inside hold
+ * the solution there: it lies on the line through its neighbours. */
 static void resonances_inside_are_not_heard(void **state) {
   (void)state;
   const double depth = 1.6;
@@ -408,10 +414,12 @@ static void resonances_inside_are_not_heard(void **state) {
   }
 }
 
-/* ---- an independent method ---------------------------------------------------------------------- */
+/* ---- an independent method ----------------------------------------------------------------------
+ */
 
-/* tests/reference/shell_radiation.json: fundamental solutions, tools/radiation_reference.py. Differences of masses of
- * motions i and j are in parts of sqrt(own_ii own_jj), those of fields in parts of the largest. */
+/* tests/reference/shell_radiation.json: fundamental solutions, tools/radiation_reference.py.
+ * Differences of masses of motions i and j are in parts of sqrt(own_ii own_jj), those of fields in
+ * parts of the largest. */
 typedef struct Agreement {
   double mass, resistance, field;
 } Agreement;

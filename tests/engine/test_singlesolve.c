@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Contacts in single precision against those in double: the grid under the wires, the laws, whole strokes. */
+/* Contacts in single precision against those in double: the grid under the wires, the laws, whole
+ * strokes. */
 #include "drum/drum.h"
 #include "physics.h"
 #include "wires/wire_motion.h"
@@ -118,8 +119,8 @@ static void laws_agree(void **state) {
   tabor_model_release(model);
 }
 
-/* The same drum at live, and at studio made as small: until the wires' small differences have grown large, the
- * stick has the same force and the head the same height. */
+/* The same drum at live, and at studio made as small: until the wires' small differences have grown
+ * large, the stick has the same force and the head the same height. */
 static void a_stroke_is_the_same_for_some_milliseconds(void **state) {
   (void)state;
   enum { SAMPLES = 192 };
@@ -172,8 +173,8 @@ static void a_drum_at_rest_stays_there(void **state) {
   for_each_live_drum(stays_at_rest);
 }
 
-/* Just before they are settled, penetrations that advanced by rounded changes are still those of the
- * displacements: heads and wires swing by millimetres. */
+/* Just before they are settled, penetrations that advanced by rounded changes are still those of
+ * the displacements: heads and wires swing by millimetres. */
 static void does_not_drift(TaborModel *model, TaborDrum *drum) {
   TaborEvent strike = physics_strike(&model->def);
   strike.velocity = 6.0;
@@ -196,7 +197,8 @@ static void penetrations_do_not_drift(void **state) {
   for_each_live_drum(does_not_drift);
 }
 
-/* Without losses, after the strainer has moved: the account trembles, but creates nothing as time goes on. */
+/* Without losses, after the strainer has moved: the account trembles, but creates nothing as time
+ * goes on. */
 static void the_account_of_resting_wires_does_not_drift(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x5.5");
@@ -221,9 +223,9 @@ static void the_account_of_resting_wires_does_not_drift(void **state) {
   tabor_model_release(model);
 }
 
-/* Rounding must not keep a drum awake, nor the iteration busy with it: the marching drum's gut lay trembling with
- * 5e-17 J for good, and the snare drum's last second took as long as it sounded. The slowest loss is that of the stock drum's
- * wires where they hang free, 5 1/s: 130 dB in 6 s. */
+/* Rounding must not keep a drum awake, nor the iteration busy with it: the marching drum's gut lay
+ * trembling with 5e-17 J for good, and the snare drum's last second took as long as it sounded. The
+ * slowest loss is that of the stock drum's wires where they hang free, 5 1/s: 130 dB in 6 s. */
 static void falls_asleep(TaborModel *model, TaborDrum *drum) {
   TaborEvent strike = physics_strike(&model->def);
   strike.velocity = 2.0;
@@ -245,8 +247,8 @@ static void a_drum_that_has_died_away_sleeps(void **state) {
   for_each_live_drum(falls_asleep);
 }
 
-/* A drum without wires is linear but for its striker: only its high band is of single precision at live. Felt,
- * since both levels solve a wooden tip to tolerances of their own: 66 dB. */
+/* A drum without wires is linear but for its striker: only its high band is of single precision at
+ * live. Felt, since both levels solve a wooden tip to tolerances of their own: 66 dB. */
 static void linear_drums_sound_the_same_to_90_decibels(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("tom-12");

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A drum that nobody hears sleeps: nothing audible is cut, no rattle either, the ledger has what it held, and what holds it
- * away from its rest holds it on. */
+/* A drum that nobody hears sleeps: nothing audible is cut, no rattle either, the ledger has what it
+ * held, and what holds it away from its rest holds it on. */
 #include "physics.h"
 
 #include "drum/drum.h"
@@ -37,7 +37,8 @@ static void play(TaborModel *model, const TaborEvent *events, uint32_t count, bo
   tabor_drum_destroy(drum);
 }
 
-/* The loudest 20 ms, as their root mean square, of what the second take has and the first one lacks. */
+/* The loudest 20 ms, as their root mean square, of what the second take has and the first one
+ * lacks. */
 static double most_away(const TaborModel *model, const Take *cut, const Take *whole) {
   double most = 0.0;
   for (uint32_t mic = 0; mic < model->def.mic_count; mic++) {
@@ -105,8 +106,8 @@ static void the_last_rattle_of_a_buzz_is_heard(void **state) {
   }
 }
 
-/* Wires that are thrown off swing after a stroke, and touch nothing. The high band does not lean by the load that they took
- * from the head: scattering would make hiss of that for good. */
+/* Wires that are thrown off swing after a stroke, and touch nothing. The high band does not lean by
+ * the load that they took from the head: scattering would make hiss of that for good. */
 static void wires_that_are_off_let_a_drum_sleep(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5");
@@ -118,7 +119,8 @@ static void wires_that_are_off_let_a_drum_sleep(void **state) {
   (void)check_sleep(&def, events, 2);
 }
 
-/* ---- when a drum does not sleep --------------------------------------------------------------- */
+/* ---- when a drum does not sleep ---------------------------------------------------------------
+ */
 
 static uint32_t time_to_sleep(const TaborDrumDef *def, uint32_t quality) {
   TaborModel *model = physics_model(def, 48000.0, quality);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve against fully converged independent solutions, and its remedies at small caps. */
+/* The contact solve against fully converged independent solutions, and its remedies at small caps.
+ */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,8 +16,8 @@
 
 enum { MOST = 16, LANES = 8, STRIDE = MOST * LANES, ROWS = STRIDE + TB_SLOTS };
 
-/* A contact problem of up to 16 points with a law of its own each: every point is lane 0 of a wire of
- * 8, and the grid is the points themselves. */
+/* A contact problem of up to 16 points with a law of its own each: every point is lane 0 of a wire
+ * of 8, and the grid is the points themselves. */
 typedef struct Problem {
   uint32_t n;
   _Alignas(64) double matrix[STRIDE * STRIDE], across[MOST * MOST], fold[3 * MOST * LANES];

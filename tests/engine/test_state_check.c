@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A forged state has the right size, fingerprint and checksum, and wrong contents. It is refused, or it is harmless:
- * no step leaves its arrays, which the build with sanitizers watches, and the sound stays finite.
+/* A forged state has the right size, fingerprint and checksum, and wrong contents. It is refused,
+ * or it is harmless: no step leaves its arrays, which the build with sanitizers watches, and the
+ * sound stays finite.
  *
- * usage: test_state_check [brief]: every place of the head with one wrong value and not with all, a quarter of the
- * places of the arrays. */
+ * usage: test_state_check [brief]: every place of the head with one wrong value and not with all, a
+ * quarter of the places of the arrays. */
 #include "step/state_check.h"
 
 #include "physics.h"
@@ -47,7 +48,8 @@ static TaborEvent stroke_of(uint32_t frame, uint32_t striker, uint32_t technique
                       .value = 0.5};
 }
 
-/* Everything that a state can hold: plain, pressed and paired sticks, a brush, a hand, values under way. */
+/* Everything that a state can hold: plain, pressed and paired sticks, a brush, a hand, values under
+ * way. */
 static uint32_t everything(const TaborDrumDef *def, TaborEvent *events) {
   uint32_t count = 0;
   events[count++] = stroke_of(1, 0, TABOR_TECHNIQUE_NORMAL, 3.0);
@@ -102,7 +104,8 @@ static void sign(void) {
   memcpy(bytes + size - 8, &hash, 8);
 }
 
-/* The recovery of a drum comes with its housekeeping; until then a sound may be anything that is no crash. */
+/* The recovery of a drum comes with its housekeeping; until then a sound may be anything that is no
+ * crash. */
 static void play_on(void) {
   TaborEvent events[4] = {stroke_of(1, 0, TABOR_TECHNIQUE_NORMAL, 3.0),
                           stroke_of(2, 1, TABOR_TECHNIQUE_CROSS_STICK, 3.0),

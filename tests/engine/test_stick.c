@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The stick as a body: what its two ends weigh, what a stroke brings, and the limit of a plain striker. */
+/* The stick as a body: what its two ends weigh, what a stroke brings, and the limit of a plain
+ * striker. */
 #include "physics.h"
 
 #include "drum/drum.h"
@@ -32,8 +33,8 @@ static TbStick stick_of(double mass) {
   return stick;
 }
 
-/* Int mu x^n dx for mu = 1 where the beam is thickest: it is half as thick at the tip and tapers over a fifth.
- * By Simpson's rule, exact for these cubics and quartics within its steps. */
+/* Int mu x^n dx for mu = 1 where the beam is thickest: it is half as thick at the tip and tapers
+ * over a fifth. By Simpson's rule, exact for these cubics and quartics within its steps. */
 static double moment(int n) {
   enum { STEPS = 1000 };
   double sum = 0.0;
@@ -46,8 +47,8 @@ static double moment(int n) {
   return sum;
 }
 
-/* A rimshot's tip weighs M. A cross-stick's ends weigh what the moments of the stick and of 1 kg of hand 75 mm from the
- * tip say. */
+/* A rimshot's tip weighs M. A cross-stick's ends weigh what the moments of the stick and of 1 kg of
+ * hand 75 mm from the tip say. */
 static void places_along_the_stick_weigh_what_mechanics_says(void **state) {
   (void)state;
   const TbStick stick = stick_of(MASS);
@@ -213,7 +214,8 @@ static void a_rimshot_meets_head_and_hoop_within_a_millisecond(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- the hand of a cross-stick ---------------------------------------------------------------- */
+/* ---- the hand of a cross-stick ----------------------------------------------------------------
+ */
 
 static const TaborEvent CROSS_STICK = {.type = TABOR_EVENT_STRIKE,
                                        .id = 5,
@@ -235,8 +237,8 @@ static double shaft_force(TaborDrum *drum) {
   return view.solve.warm.force[drum->model->wires.stride + shaft];
 }
 
-/* One step of C^-1 (z+ - 2 z + z-)/k^2 = f - (F0 + c (s+ - s-)/(2k)) e, s the shaft, by Cramer's rule: the compliance, and
- * the way without contacts. */
+/* One step of C^-1 (z+ - 2 z + z-)/k^2 = f - (F0 + c (s+ - s-)/(2k)) e, s the shaft, by Cramer's
+ * rule: the compliance, and the way without contacts. */
 static void a_hand_is_a_force_and_a_centred_damper_on_the_shaft(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5-off");
@@ -301,7 +303,8 @@ static void a_pressed_shaft_bounces_and_comes_to_rest(void **state) {
   tabor_model_release(model);
 }
 
-/* A release fades the hand's force in 30 ms; the next cross-stick takes the stick of the last along. */
+/* A release fades the hand's force in 30 ms; the next cross-stick takes the stick of the last
+ * along. */
 static void a_hand_has_one_stick_and_lets_go_of_it_softly(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5-off");

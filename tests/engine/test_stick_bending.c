@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The bending of sticks, against finite elements and an independent integration (tools/make-reference.py): modes, a blow on
- * a rigid support, the ringing of a stick that is pressed onto one; the limit of a stiff stick; energy; and swaps. */
+/* The bending of sticks, against finite elements and an independent integration
+ * (tools/make-reference.py): modes, a blow on a rigid support, the ringing of a stick that is
+ * pressed onto one; the limit of a stiff stick; energy; and swaps. */
 #include "physics.h"
 
 #include "drum/drum.h"
@@ -19,7 +20,8 @@ static TaborDrumDef frame_drum(void) {
 
 /* ---- modes ----------------------------------------------------------------------------------- */
 
-/* Sixteen polynomials have not quite converged: the kink at a fifth of the length and the point mass bend them. */
+/* Sixteen polynomials have not quite converged: the kink at a fifth of the length and the point
+ * mass bend them. */
 static const double FREQUENCY_ERROR = 2e-3, SHAPE_ERROR = 1e-2;
 
 static double frequency_of(const TbStickBody *body, uint32_t i, double rate) {
@@ -68,7 +70,8 @@ static double rigid_part(const json_t *expected, size_t i, size_t j) {
   return reference_number(json_array_get(json_object_get(expected, "rigid"), i), j);
 }
 
-/* 0.15 m from the tip, at the height of the head: R - r = 0.15 m in a rimshot, R + r in a cross-stick. */
+/* 0.15 m from the tip, at the height of the head: R - r = 0.15 m in a rimshot, R + r in a
+ * cross-stick. */
 static void the_rigid_body_is_that_of_the_beam(void **state) {
   (void)state;
   json_t *root = reference_load("sticks.json");
@@ -116,8 +119,8 @@ static double force_now(const TaborDrum *drum) {
   return isnan(probe.striker_force) ? 0.0 : probe.striker_force;
 }
 
-/* Largest error of the force of a stroke on a hoop without modes, as a part of its peak. The engine runs at four times the
- * reference's rate. */
+/* Largest error of the force of a stroke on a hoop without modes, as a part of its peak. The engine
+ * runs at four times the reference's rate. */
 static double blow_error(double stiffness, double velocity, const json_t *force) {
   TaborDrumDef def = frame_drum();
   def.hoop.contact_stiffness = stiffness;
@@ -176,7 +179,8 @@ static double yields(const json_t *held, double mass, double stiffness, double h
   return sum;
 }
 
-/* The n-th frequency of a stick on a spring; there is one below each of its free modes, and one above all. */
+/* The n-th frequency of a stick on a spring; there is one below each of its free modes, and one
+ * above all. */
 static double resonance(const json_t *held, double mass, double stiffness, uint32_t n) {
   double lo = n ? reference_number(json_object_get(held, "hz"), n - 1) : 0.0;
   double hi = n < TB_BENDS ? reference_number(json_object_get(held, "hz"), n) : 20000.0;
@@ -205,8 +209,8 @@ static double loudest_near(const double *force, double hz) {
 /* The head is as heavy and tense as it can be, but not quite rigid. */
 static const double HEAD_MOVES = 0.05;
 
-/* A hand presses the stick onto a heavy head. A linear contact holds it, so its force rings at the four
- * frequencies of stick and spring. */
+/* A hand presses the stick onto a heavy head. A linear contact holds it, so its force rings at the
+ * four frequencies of stick and spring. */
 static void the_force_of_a_pressed_stick_rings_at_its_frequencies(void **state) {
   (void)state;
   static double force[RINGING];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Texts of sections and keys: the traps of such files, and definitions that come back from theirs. */
+/* Texts of sections and keys: the traps of such files, and definitions that come back from theirs.
+ */
 #include "tabor/kit.h"
 
 #include <setjmp.h>
@@ -12,7 +13,8 @@
 
 #include <cmocka.h>
 
-/* Everything that the reader gave, as "12:section.key=value|", and the sections as "11:section|". */
+/* Everything that the reader gave, as "12:section.key=value|", and the sections as "11:section|".
+ */
 typedef struct Log {
   char text[4096];
   char sections[4096];

@@ -28,8 +28,8 @@ static void values_are_the_integrals(void **state) {
   }
 }
 
-/* (m + 1/2) Q_{m+1/2} = 2 m chi Q_{m-1/2} - (m - 1/2) Q_{m-3/2}, whichever way it was run, and the first
- * values do not depend on how many were asked for. */
+/* (m + 1/2) Q_{m+1/2} = 2 m chi Q_{m-1/2} - (m - 1/2) Q_{m-3/2}, whichever way it was run, and the
+ * first values do not depend on how many were asked for. */
 static void the_recurrence_holds_everywhere(void **state) {
   (void)state;
   double worst = 0.0;

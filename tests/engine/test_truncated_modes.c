@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What stands for the head's truncated modes under a striker: against the modes themselves, in its limits, and as
- * a part of the drum's state and energy. */
+/* What stands for the head's truncated modes under a striker: against the modes themselves, in its
+ * limits, and as a part of the drum's state and energy. */
 #include "physics.h"
 
 #include "math/bessel.h"
@@ -34,7 +34,8 @@ static void compliance_is_the_integral(void **state) {
   }
 }
 
-/* Static compliance at r of all modes of the whole head from z = bottom on, cosine and sine copies. */
+/* Static compliance at r of all modes of the whole head from z = bottom on, cosine and sine copies.
+ */
 static double modal_compliance(const TaborDrumDef *def, double a, double r, double bottom) {
   static double zeros[128];
   const double radius = def->shell.radius, top = 240.0;
@@ -52,7 +53,8 @@ static double modal_compliance(const TaborDrumDef *def, double a, double r, doub
   return sum;
 }
 
-/* An infinite membrane for a finite one: right but for how many modes happen to lie just above the limit. */
+/* An infinite membrane for a finite one: right but for how many modes happen to lie just above the
+ * limit. */
 static void compliance_is_that_of_the_missing_modes(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
@@ -82,11 +84,12 @@ static void response(const TbTruncatedModes *m, double omega, double *re, double
   }
 }
 
-/* A resonance's slow tails take that much from where the mobility is and leave it where it is not. */
+/* A resonance's slow tails take that much from where the mobility is and leave it where it is not.
+ */
 static const double SMEARED = 0.25;
 
-/* Above the limit, but for the edge of the first cell, waves carry away what an infinite membrane's do, omega
- * B^2/(4 T) of mobility; well below, there is a spring. */
+/* Above the limit, but for the edge of the first cell, waves carry away what an infinite membrane's
+ * do, omega B^2/(4 T) of mobility; well below, there is a spring. */
 static void oscillators_answer_like_the_membrane(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
@@ -139,7 +142,8 @@ static void nothing_is_left_in_the_limits(void **state) {
   assert_memory_equal(&m, &none, sizeof m);
 }
 
-/* A band that ends where the cells would end leaves one cell, with all the compliance above, that loses energy. */
+/* A band that ends where the cells would end leaves one cell, with all the compliance above, that
+ * loses energy. */
 static void one_cell_is_left_above_a_wide_band(void **state) {
   (void)state;
   const TaborDrumDef def = physics_membrane();
@@ -202,7 +206,8 @@ static double force_level(const TaborDrumDef *def, double f) {
   return 10.0 * log10(power);
 }
 
-/* The same head with all modes to 9 kHz, and with modes to 3 kHz, with what stands for the others and without. */
+/* The same head with all modes to 9 kHz, and with modes to 3 kHz, with what stands for the others
+ * and without. */
 static void a_stick_finds_the_head_as_soft_as_it_is(void **state) {
   (void)state;
   const TaborDrumDef all = bodhran(9000.0), some = bodhran(3000.0);

@@ -265,9 +265,9 @@ static double head_under(const Scene *scene, uint32_t w, uint32_t p) {
                  atan2(y, x) / 0.017453292519943295, INFINITY);
 }
 
-/* A wire touches where it is pressed into the head, by less than a tenth of a millimetre; elsewhere it is off it. The
- * head under the wires is known to the tolerance of their grid (projection.h) and without what it yields by modes that
- * are left out (wire_yield.h): a micrometre. */
+/* A wire touches where it is pressed into the head, by less than a tenth of a millimetre; elsewhere
+ * it is off it. The head under the wires is known to the tolerance of their grid (projection.h) and
+ * without what it yields by modes that are left out (wire_yield.h): a micrometre. */
 static void assert_wires_touch_where_they_press(const Scene *scene) {
   const TaborView *view = scene->view;
   const double side = scene->model->wires.side, radius = view->radius;
@@ -314,7 +314,8 @@ static void wires_and_their_forces_are_the_probes(void **state) {
   scene_destroy(&scene);
 }
 
-/* The ends lie as far apart as the wire is long, in the direction of the wires, and rise with the strainer. */
+/* The ends lie as far apart as the wire is long, in the direction of the wires, and rise with the
+ * strainer. */
 static void wires_lie_where_they_are_defined(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x5.5");

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The grid under the wires: its shapes against the exact ones, its limiting cases, the compliance. */
+/* The grid under the wires: its shapes against the exact ones, its limiting cases, the compliance.
+ */
 #include "physics.h"
 #include "state/state.h"
 

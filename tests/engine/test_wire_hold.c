@@ -84,7 +84,8 @@ static void wires_without_mass_or_force_take_nothing(void **state) {
   for (uint32_t band = 0; band < TB_HOLD_BANDS; band++) assert_true(resistance[band] < 1e-6);
 }
 
-/* Slow waves knock a wire that bounces: f/u on a head that does not yield, nothing where all points always touch. */
+/* Slow waves knock a wire that bounces: f/u on a head that does not yield, nothing where all points
+ * always touch. */
 static void bouncing_wires_resist(void **state) {
   (void)state;
   Bed bed;

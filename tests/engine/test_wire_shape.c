@@ -8,8 +8,8 @@
 enum { SEEDS = 1000, SHAPES = SEEDS * TABOR_MAX_WIRES };
 
 static const double HEIGHT = 2.5e-4, LENGTH = 0.02;
-/* Five standard errors of means over so many independent shapes: of z/A, with variance 1, of (z/A)^2, with
- * variance 2 at most, and of a product of two. */
+/* Five standard errors of means over so many independent shapes: of z/A, with variance 1, of
+ * (z/A)^2, with variance 2 at most, and of a product of two. */
 #define BOUND (5.0 * sqrt(2.0 / SHAPES))
 
 static TaborWiresDef bent(uint32_t seed) {
@@ -21,7 +21,8 @@ static TaborWiresDef bent(uint32_t seed) {
   return def.wires;
 }
 
-/* Mean, mean square, and mean product with the height at `distance` away, at the place s, in units of A. */
+/* Mean, mean square, and mean product with the height at `distance` away, at the place s, in units
+ * of A. */
 static void moments(uint32_t first_seed, double s, double distance, double sum[3]) {
   sum[0] = sum[1] = sum[2] = 0.0;
   for (uint32_t i = 0; i < SHAPES; i++) {
@@ -80,7 +81,8 @@ static void a_seed_draws_its_shapes_and_no_others(void **state) {
   assert_true(tb_wire_shape_height(&b, 0.01) == 0.0);
 }
 
-/* All shapes of a snare drum's rows: of its own seed to the bit, the same at every rate where nodes coincide. */
+/* All shapes of a snare drum's rows: of its own seed to the bit, the same at every rate where nodes
+ * coincide. */
 static void rows_lie_on_the_shape(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x5.5");

@@ -19,8 +19,8 @@ static TaborModel *drum_with_wires(double two_way, double top, uint32_t wires, b
   return physics_model(&def, RATE, TABOR_QUALITY_REFERENCE);
 }
 
-/* Displacement of the head at row `to` under a unit force at `from`, with the displacement of each mode under a
- * unit force. */
+/* Displacement of the head at row `to` under a unit force at `from`, with the displacement of each
+ * mode under a unit force. */
 static double response(const TaborModel *model, const double *gain, uint32_t from, uint32_t to) {
   const TbWireGrid *grid = &model->projection.wire_grid;
   TbArena arena;

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file fuzz.h
- * What the fuzz targets (fuzz_*.c) share. Each target has the entry of libFuzzer; replay.c or libFuzzer calls
- * it with the bytes of an input. A target stops the program, by abort() or a sanitizer, if a promise is broken.
+ * What the fuzz targets (fuzz_*.c) share. Each target has the entry of libFuzzer; replay.c or
+ * libFuzzer calls it with the bytes of an input. A target stops the program, by abort() or a
+ * sanitizer, if a promise is broken.
  */
 #ifndef TEST_FUZZ_H
 #define TEST_FUZZ_H
@@ -32,7 +33,8 @@ uint32_t fuzz_word(FuzzInput *input);
 /** A number: usual, extreme, or any bits, not finite ones included. */
 double fuzz_number(FuzzInput *input);
 
-/** A drum with few modes and wires, so that a model is built at once: 0 snare, 1 tom, 2 single head. */
+/** A drum with few modes and wires, so that a model is built at once: 0 snare, 1 tom, 2 single
+ * head. */
 TaborModel *fuzz_model(uint32_t which);
 
 #endif

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Any sequence of calls to a drum, over a pool of models: events with any fields, blocks of any size, swaps,
- * replacements, saves, loads, resets. The sound stays finite, time goes on, and what was saved can be loaded. */
+/* Any sequence of calls to a drum, over a pool of models: events with any fields, blocks of any
+ * size, swaps, replacements, saves, loads, resets. The sound stays finite, time goes on, and what
+ * was saved can be loaded. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* What a host gives a CLAP plugin. An input whose first byte is below 128 is a state, behind that byte: it is refused
- * with a reason, or taken, and what is saved then is saved again after it was loaded. Any other input is a list of
- * events and blocks for a plugin that plays: whatever they are, the sound stays finite. */
+/* What a host gives a CLAP plugin. An input whose first byte is below 128 is a state, behind that
+ * byte: it is refused with a reason, or taken, and what is saved then is saved again after it was
+ * loaded. Any other input is a list of events and blocks for a plugin that plays: whatever they
+ * are, the sound stays finite. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

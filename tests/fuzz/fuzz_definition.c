@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Definitions as the plugins save them (drums/definition_text.h): refused with a reason, or valid, and written as they
- * were read. */
+/* Definitions as the plugins save them (drums/definition_text.h): refused with a reason, or valid,
+ * and written as they were read. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Events files (strokes/events_file.h): refused with one line, or events in order with finite numbers. */
+/* Events files (strokes/events_file.h): refused with one line, or events in order with finite
+ * numbers. */
 #include <math.h>
 
 #include "fuzz.h"

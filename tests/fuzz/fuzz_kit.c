@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Kit files: refused with a reason of one line, or read into a definition that is checked; every drum of a valid kit can be
- * placed, and is valid there; its text comes back as the same kit. */
+/* Kit files: refused with a reason of one line, or read into a definition that is checked; every
+ * drum of a valid kit can be placed, and is valid there; its text comes back as the same kit. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Logs of performances (render/replay.h): refused with one line, or a performance that can be played. */
+/* Logs of performances (render/replay.h): refused with one line, or a performance that can be
+ * played. */
 #include <math.h>
 
 #include "fuzz.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Manifests of `tabor library`: a folder with a manifest of somebody else's making is taken or refused, and the file
- * is not changed. */
+/* Manifests of `tabor library`: a folder with a manifest of somebody else's making is taken or
+ * refused, and the file is not changed. */
 #define _GNU_SOURCE
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Standard MIDI files, and what the default map makes of them: refused with one line, or messages in order. */
+/* Standard MIDI files, and what the default map makes of them: refused with one line, or messages
+ * in order. */
 #include <math.h>
 
 #include "fuzz.h"

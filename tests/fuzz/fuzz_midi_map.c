@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* MIDI map files: refused with one line, or a map that drums with and without brushes can be played by. */
+/* MIDI map files: refused with one line, or a map that drums with and without brushes can be played
+ * by. */
 #include <math.h>
 
 #include "fuzz.h"

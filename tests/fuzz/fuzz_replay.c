@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Logs of performances are played (render/offline_player.h): with drums made small, the first moments of any log that
- * is accepted give finite sound. */
+/* Logs of performances are played (render/offline_player.h): with drums made small, the first
+ * moments of any log that is accepted give finite sound. */
 #include <math.h>
 #include <stdio.h>
 

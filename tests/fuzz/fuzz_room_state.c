@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* Saved states of rooms: arbitrary bytes, and forged contents with a right checksum, are refused, or the room sounds
- * on, in finite numbers. The first byte of the input chooses. 0 to 127: the rest are the bytes, signed if it is odd.
- * Else: a list of changes to a state of a room that sounds, 8 bytes each: place, and 4 bytes that replace those there. */
+/* Saved states of rooms: arbitrary bytes, and forged contents with a right checksum, are refused,
+ * or the room sounds on, in finite numbers. The first byte of the input chooses. 0 to 127: the rest
+ * are the bytes, signed if it is odd. Else: a list of changes to a state of a room that sounds, 8
+ * bytes each: place, and 4 bytes that replace those there. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Saved states with forged contents and a right checksum: refused, or harmless (drum/drum.c, step/state_check.h). The
- * input is a list of changes to a state in mid-play, 12 bytes each: place, and 8 bytes that replace those there. */
+/* Saved states with forged contents and a right checksum: refused, or harmless (drum/drum.c,
+ * step/state_check.h). The input is a list of changes to a state in mid-play, 12 bytes each: place,
+ * and 8 bytes that replace those there. */
 #include <stdlib.h>
 #include <string.h>
 

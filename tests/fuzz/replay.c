@@ -5,9 +5,9 @@
  *
  *     fuzz_NAME RUNS SEED FILE...
  *
- * tries every file, then RUNS mutations of files drawn at random. The same seed gives the same mutations. The last
- * input stays in the file fuzz-input of the working folder until the run has ended well, so that a crash can be
- * repeated: fuzz_NAME 0 0 fuzz-input.
+ * tries every file, then RUNS mutations of files drawn at random. The same seed gives the same
+ * mutations. The last input stays in the file fuzz-input of the working folder until the run has
+ * ended well, so that a crash can be repeated: fuzz_NAME 0 0 fuzz-input.
  */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* What builds of random drums take, beside their estimates and limits, in processor time.
  *
- * build_times [COUNT [SEED]]: draws definitions, from presets of which some parameters are drawn anew, until
- * COUNT (200) of them were legal, and builds them at live. Says how far estimates are from the builds, how long an estimate takes, and how far a
- * build that is given half of its time goes beyond that limit; names each that is more than 3 times off, 20 ms
- * or 20 % over. Fails if there is any. For a quiet machine: no test, since times are not the same twice. */
+ * build_times [COUNT [SEED]]: draws definitions, from presets of which some parameters are drawn
+ * anew, until COUNT (200) of them were legal, and builds them at live. Says how far estimates are
+ * from the builds, how long an estimate takes, and how far a build that is given half of its time
+ * goes beyond that limit; names each that is more than 3 times off, 20 ms or 20 % over. Fails if
+ * there is any. For a quiet machine: no test, since times are not the same twice. */
 #define _XOPEN_SOURCE 700
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +24,8 @@ static double now(void) {
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* ---- random definitions ----------------------------------------------------------------------- */
+/* ---- random definitions -----------------------------------------------------------------------
+ */
 
 static uint64_t seed;
 
@@ -57,7 +59,8 @@ static void draw_value(const TaborParameter *parameter, char *text, size_t size)
   snprintf(text, size, parameter->type == TABOR_TYPE_NUMBER ? "%.9g" : "%.0f", value);
 }
 
-/* Draws each parameter anew with this probability; a value that the others do not allow is left out. */
+/* Draws each parameter anew with this probability; a value that the others do not allow is left
+ * out. */
 static void vary(TaborDrumDef *def, double probability) {
   char key[2 * TABOR_NAME_SIZE], value[TABOR_TEXT_SIZE];
   for (uint32_t i = 0; tabor_drum_def_key(def, i, key, sizeof key); i++) {
@@ -86,7 +89,8 @@ static void draw_definition(TaborDrumDef *def) {
   vary(def, uniform(0.02, 0.4));
 }
 
-/* ---- builds ----------------------------------------------------------------------------------- */
+/* ---- builds -----------------------------------------------------------------------------------
+ */
 
 typedef struct Tally {
   int built, refused, off, slow, late;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file clap_host.h
- * A minimal host for the CLAP plugins: parameters, notes, blocks, states in memory. Any failure fails the test.
+ * A minimal host for the CLAP plugins: parameters, notes, blocks, states in memory. Any failure
+ * fails the test.
  */
 #ifndef TABOR_TESTS_CLAP_HOST_H
 #define TABOR_TESTS_CLAP_HOST_H

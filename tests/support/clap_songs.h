@@ -9,7 +9,8 @@
 #include "clap_host.h"
 #include "plugin_songs.h"
 
-/** Plays the song in blocks of @p block frames; 0: of random sizes. Takes channels from @p first on. */
+/** Plays the song in blocks of @p block frames; 0: of random sizes. Takes channels from @p first
+ * on. */
 void clap_host_play(ClapHost *host, uint32_t block, uint32_t first, Take *take);
 
 #endif

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file clap_window.h
- * A host of CLAP plugins that opens their windows on an X server of its own, and a hand that clicks there.
+ * A host of CLAP plugins that opens their windows on an X server of its own, and a hand that clicks
+ * there.
  */
 #ifndef TABOR_TESTS_CLAP_WINDOW_H
 #define TABOR_TESTS_CLAP_WINDOW_H
@@ -18,7 +19,8 @@ typedef struct Opened {
   xcb_window_t outer, inner;
 } Opened;
 
-/** A host that scans is told of the window of the plugin @p id, and cannot open it for want of timers. */
+/** A host that scans is told of the window of the plugin @p id, and cannot open it for want of
+ * timers. */
 void scan_window(const char *id);
 /** Opens a window of opened->host and asserts what is due. */
 void open_window(Opened *opened, double scale);

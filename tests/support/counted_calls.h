@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file counted_calls.h
- * Counts calls that are forbidden in an audio thread: functions that allocate, lock, sleep or access files. The
- * linker routes every such call of the test and the engine through counters; CMakeLists.txt lists them.
+ * Counts calls that are forbidden in an audio thread: functions that allocate, lock, sleep or
+ * access files. The linker routes every such call of the test and the engine through counters;
+ * CMakeLists.txt lists them.
  */
 #ifndef TABOR_TESTS_COUNTED_CALLS_H
 #define TABOR_TESTS_COUNTED_CALLS_H

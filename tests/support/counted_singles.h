@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Wrappers that count the work of the kernels (kernels_tmpl.h) of one precision. test_system_work.c defines the
- * counters and includes this file once per precision (both.h). */
+/* Wrappers that count the work of the kernels (kernels_tmpl.h) of one precision. test_system_work.c
+ * defines the counters and includes this file once per precision (both.h). */
 
 /* A kernel that returns nothing, with its parameters and its arguments in parentheses. */
 #undef COUNTED

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file drum_script.h
- * A performance for the system tests: a list of events at absolute frames, played on a drum in blocks of
- * any size. Uses only the public interface.
+ * A performance for the system tests: a list of events at absolute frames, played on a drum in
+ * blocks of any size. Uses only the public interface.
  */
 #ifndef TEST_DRUM_SCRIPT_H
 #define TEST_DRUM_SCRIPT_H
@@ -17,7 +17,8 @@ typedef struct Script {
   uint32_t count;
 } Script;
 
-/** Result of a performance: the samples of every microphone, and the final ledger and statistics. */
+/** Result of a performance: the samples of every microphone, and the final ledger and statistics.
+ */
 typedef struct Take {
   float *samples; /**< [mic][frame] */
   uint32_t mics, frames;
@@ -47,8 +48,8 @@ TaborEvent script_strike(uint32_t frame, double velocity, double radius, double 
 TaborEvent script_parameter(uint32_t frame, const char *key, double value);
 void script_add(Script *script, TaborEvent event);
 /**
- * Covers every kind of event: strokes at odd frames and two at once, moving live parameters while the drum
- * rings, a damping hand that comes and goes, removed strikers.
+ * Covers every kind of event: strokes at odd frames and two at once, moving live parameters while
+ * the drum rings, a damping hand that comes and goes, removed strikers.
  */
 void script_everything(Script *script);
 
@@ -63,7 +64,8 @@ Take take_create(const TaborModel *model, uint32_t frames);
 void take_destroy(Take *take);
 /** Largest absolute sample, over all microphones. */
 double take_peak(const Take *take);
-/** Fails the test, naming @p what and the first differing sample, unless both hold the same bits. */
+/** Fails the test, naming @p what and the first differing sample, unless both hold the same bits.
+ */
 void take_assert_same(const Take *a, const Take *b, const char *what);
 
 /** Returns 64. */

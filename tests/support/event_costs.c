@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
-/* event_costs PRESET QUALITY SEED MIX...: plays a block of 64 frames of a drum that rings for each mix of events, and
- * has callgrind dump what each cost under the mix's name. A mix is a number of events and letters of kinds, which
- * take turns: `1000sh` is 500 strokes and 500 silences. Kind `?` is one of all kinds, by chance.
+/* event_costs PRESET QUALITY SEED MIX...: plays a block of 64 frames of a drum that rings for each
+ * mix of events, and has callgrind dump what each cost under the mix's name. A mix is a number of
+ * events and letters of kinds, which take turns: `1000sh` is 500 strokes and 500 silences. Kind `?`
+ * is one of all kinds, by chance.
  *
- *     s b r c  strokes: plain, buzz, rimshot, cross-stick      X Y  swap, replacement by another model
- *     p d l m  press, damping hand, release, move              h R  silence, reset
- *     g t u    gain, wire tension, muffling */
+ *     s b r c  strokes: plain, buzz, rimshot, cross-stick      X Y  swap, replacement by another
+ * model p d l m  press, damping hand, release, move              h R  silence, reset g t u    gain,
+ * wire tension, muffling */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

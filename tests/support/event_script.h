@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Plays events by frame in pieces and checks that pieces, saves, resets and swaps do not change the sound. */
+/* Plays events by frame in pieces and checks that pieces, saves, resets and swaps do not change the
+ * sound. */
 #ifndef TEST_EVENT_SCRIPT_H
 #define TEST_EVENT_SCRIPT_H
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file failing_memory.c
- * A library to preload: allocation number TABOR_FAIL_AT of the process (malloc, calloc, realloc, aligned ones) fails,
- * and no other. With 0 none fails. The number of allocations is written to the file TABOR_COUNT_IN at the end.
- * Allocations of the dynamic loader and before main() count, too.
+ * A library to preload: allocation number TABOR_FAIL_AT of the process (malloc, calloc, realloc,
+ * aligned ones) fails, and no other. With 0 none fails. The number of allocations is written to the
+ * file TABOR_COUNT_IN at the end. Allocations of the dynamic loader and before main() count, too.
  */
 #define _GNU_SOURCE
 #include <errno.h>

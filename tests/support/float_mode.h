@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file float_mode.h
- * A floating-point mode of a host's own, which a plugin has to leave as it is: it rounds up, and flushes denormals. To be
- * included after cmocka.h.
+ * A floating-point mode of a host's own, which a plugin has to leave as it is: it rounds up, and
+ * flushes denormals. To be included after cmocka.h.
  */
 #ifndef TABOR_TESTS_FLOAT_MODE_H
 #define TABOR_TESTS_FLOAT_MODE_H

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file host_stalls.c
- * Measures whether the machine keeps time: sleeps for a millisecond repeatedly, until SIGTERM ends it.
+ * Measures whether the machine keeps time: sleeps for a millisecond repeatedly, until SIGTERM ends
+ * it.
  *
  *     host_stalls FILE
  *
- * FILE holds the largest delay of a wake-up so far [s]. A test that compares times runs host_stalls in parallel
- * and counts a delay of the program as a fault only if host_stalls was not late.
+ * FILE holds the largest delay of a wake-up so far [s]. A test that compares times runs host_stalls
+ * in parallel and counts a delay of the program as a fault only if host_stalls was not late.
  */
 #define _GNU_SOURCE
 #include <signal.h>

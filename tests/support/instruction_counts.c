@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* instruction_counts PRESET: plays half a second of the preset's own stroke at `live`, with the kernels for AVX2, and has
- * callgrind count nothing but that. */
+/* instruction_counts PRESET: plays half a second of the preset's own stroke at `live`, with the
+ * kernels for AVX2, and has callgrind count nothing but that. */
 #include <stdio.h>
 #include <valgrind/callgrind.h>
 

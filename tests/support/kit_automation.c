@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_automation.c
- * Benchmark of kits that take over from each other: all five drums of the kit `standard` are tuned up and down by a semitone, and
- * the room changes, every 10 ms, while all drums ring at `live`. Prints the processor time of the median block of 10 ms
- * and of the worst one, each the least of nine equal runs, beside a kit that stays. The kits are built before.
+ * Benchmark of kits that take over from each other: all five drums of the kit `standard` are tuned
+ * up and down by a semitone, and the room changes, every 10 ms, while all drums ring at `live`.
+ * Prints the processor time of the median block of 10 ms and of the worst one, each the least of
+ * nine equal runs, beside a kit that stays. The kits are built before.
  *
  *     kit_automation
  */

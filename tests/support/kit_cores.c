@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file kit_cores.c
- * Benchmark of a kit on several cores: plays a MIDI file with the kit `standard` at `live`, in blocks of 128 frames, each at its
- * time, in the plugins of CLAP and LV2. Prints the processor time of the busiest thread and of all
- * threads together, from the first block on, beside what the drums cost one after another in the engine alone, and the
- * time of the dearest part if they are divided in the best way.
+ * Benchmark of a kit on several cores: plays a MIDI file with the kit `standard` at `live`, in
+ * blocks of 128 frames, each at its time, in the plugins of CLAP and LV2. Prints the processor time
+ * of the busiest thread and of all threads together, from the first block on, beside what the drums
+ * cost one after another in the engine alone, and the time of the dearest part if they are divided
+ * in the best way.
  *
  *     kit_cores TABOR.CLAP TABOR.SO SONG.MID
  */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Uses only what the first public interface of kits had, so that it can be linked to the library of another commit. */
+/* Uses only what the first public interface of kits had, so that it can be linked to the library of
+ * another commit. */
 #include "kit_hashes.h"
 
 #include <inttypes.h>
@@ -138,7 +139,8 @@ static void write_mix(const Kit *kit, const char *quality, const char *folder) {
   }
 }
 
-/* Studio plays a quarter, and reference, whose snare drums take hundreds of times real time, a twentieth. */
+/* Studio plays a quarter, and reference, whose snare drums take hundreds of times real time, a
+ * twentieth. */
 static uint32_t frames_of(TaborQuality quality, double seconds) {
   const uint32_t frames = (uint32_t)((seconds > 0 ? seconds : SECONDS) * SAMPLE_RATE);
   if (seconds > 0 || quality < TABOR_QUALITY_STUDIO) return frames;

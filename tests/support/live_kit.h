@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kit `standard` at `live`, for benchmarks. A program that cannot build it says why and ends. */
+/* The kit `standard` at `live`, for benchmarks. A program that cannot build it says why and ends.
+ */
 #ifndef TABOR_TESTS_LIVE_KIT_H
 #define TABOR_TESTS_LIVE_KIT_H
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file lv2_window.h
- * A host of LV2 plugins that opens their windows on an X server of its own, and a hand that clicks there.
+ * A host of LV2 plugins that opens their windows on an X server of its own, and a hand that clicks
+ * there.
  */
 #ifndef TABOR_TESTS_LV2_WINDOW_H
 #define TABOR_TESTS_LV2_WINDOW_H
@@ -33,7 +34,8 @@ void tell_ports(const Opened *opened);
 void close_window(const Opened *opened);
 /** Closes the window and the host. */
 void close_host(const Opened *opened);
-/** Opens $OPENINGS windows, or 50, one after another, and asserts that no file stays open; closes @p host. */
+/** Opens $OPENINGS windows, or 50, one after another, and asserts that no file stays open; closes
+ * @p host. */
 void check_openings(PluginHost *host);
 /** A look of the window at what has happened, as the host's idle call brings it. */
 void tick(const Opened *opened);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Builds a model, plays every kind of event on it, and prints hashes of the result. The hashes are the same on every
- * machine (tools/check-arm).
+/* Builds a model, plays every kind of event on it, and prints hashes of the result. The hashes are
+ * the same on every machine (tools/check-arm).
  *
  *   model_bits PRESET QUALITY     quality 1 (draft) to 4 (reference) */
 #include <inttypes.h>

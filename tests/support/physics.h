@@ -55,13 +55,15 @@ static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, ui
   return model;
 }
 
-/* Largest residual of the ledger, as a fraction of the injected energy. Contacts are solved in single precision at
- * `draft` and `live` (contact_solve.h), in double precision at `studio` and `reference`. */
+/* Largest residual of the ledger, as a fraction of the injected energy. Contacts are solved in
+ * single precision at `draft` and `live` (contact_solve.h), in double precision at `studio` and
+ * `reference`. */
 static inline double physics_residual(uint32_t quality) {
   return quality <= TABOR_QUALITY_LIVE ? 1e-6 : 1e-9;
 }
 
-/* A drum with the size of `live` and contacts in double precision: works like studio, but is faster. */
+/* A drum with the size of `live` and contacts in double precision: works like studio, but is
+ * faster. */
 /* Wires that lie even and drawn past the head: all of them touch, and their head stops them. */
 static inline void physics_lay_even(TaborDrumDef *def) {
   def->wires.unevenness = 0.0;
@@ -105,8 +107,8 @@ static inline double physics_uniform(uint64_t *state, double lo, double hi) {
   return lo + (hi - lo) * ((double)(physics_random(state) >> 11) * 0x1p-53);
 }
 
-/* Reads the seed from the environment variable TABOR_TEST_SEED, default 1, and prints it, so that a failure can be
- * repeated. */
+/* Reads the seed from the environment variable TABOR_TEST_SEED, default 1, and prints it, so that a
+ * failure can be repeated. */
 static inline uint64_t physics_seed(void) {
   const char *text = getenv("TABOR_TEST_SEED");
   const uint64_t seed = text ? strtoull(text, NULL, 0) : 1;

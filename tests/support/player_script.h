@@ -27,7 +27,8 @@ typedef struct Messages {
   uint32_t count, next;
 } Messages;
 
-/** Opens @p preset at 48 kHz with its first microphone and room for @p frames; fails the test on errors. */
+/** Opens @p preset at 48 kHz with its first microphone and room for @p frames; fails the test on
+ * errors. */
 Stage *stage_open(const char *preset, TaborQuality quality, bool waits, uint32_t frames);
 void stage_close(Stage *stage);
 /** Requests a block and stores its recording. */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_host.h
- * A minimal host for the LV2 plugins: knobs, MIDI, runs, a worker, states in memory. Any failure fails the test.
+ * A minimal host for the LV2 plugins: knobs, MIDI, runs, a worker, states in memory. Any failure
+ * fails the test.
  */
 #ifndef TABOR_TESTS_PLUGIN_HOST_H
 #define TABOR_TESTS_PLUGIN_HOST_H
@@ -83,8 +84,9 @@ const LV2_Descriptor *host_descriptor(const char *binary, const char *uri);
 Port host_port(const PluginHost *host, uint32_t number);
 /** What the port of the knob is connected to. */
 float *host_knob(PluginHost *host, uint32_t id);
-/** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults, but in free air and with
- * the stereo pair at 0 dB, as `tabor render --mic left --mic right` hears a preset. */
+/** Instantiates, connects all ports and activates at 48 kHz, with knobs at their defaults, but in
+ * free air and with the stereo pair at 0 dB, as `tabor render --mic left --mic right` hears a
+ * preset. */
 PluginHost *host_open(const LV2_Descriptor *descriptor, HostWorker worker);
 void host_close(PluginHost *host);
 /** Adds an event for the next run; call in order of @p frame. */
@@ -100,7 +102,8 @@ void host_run(PluginHost *host, uint32_t frames);
 /** Runs until the plugin is ready, whether it sounds or not, 20 s at most. */
 void host_wait(PluginHost *host);
 /**
- * Plays @p count messages, in order of frames that count from now, until @p frames have been played into
+ * Plays @p count messages, in order of frames that count from now, until @p frames have been played
+ * into
  * @p sound, [channel][frame]. Runs have @p block frames; 0: random sizes from 0 to HOST_BLOCK.
  */
 void host_play(PluginHost *host, const HostMessage *messages, size_t count, uint32_t frames,

@@ -72,8 +72,8 @@ void song_end(void) {
   midi_file_free(&file);
 }
 
-/* Everything that MIDI can do: places, grip, strainer, gain, hands, silence and strokes while it fades,
-   velocities of high resolution, notes of all kinds. */
+/* Everything that MIDI can do: places, grip, strainer, gain, hands, silence and strokes while it
+   fades, velocities of high resolution, notes of all kinds. */
 void song_write_all(void) {
   song_begin();
   song_add(0, 0x99, 38, 100);
@@ -252,7 +252,8 @@ void song_write_many_gains(void) {
   song_end_struck();
 }
 
-/* At a tempo of four ticks a frame, of which those of one frame act together, controllers and changes before notes. */
+/* At a tempo of four ticks a frame, of which those of one frame act together, controllers and
+ * changes before notes. */
 void song_write_within_a_frame(void) {
   song_begin();
   midi_write_tempo(&song.writer, 0, DIVISION * 1000000 / 192000);
@@ -357,7 +358,8 @@ static void write_sound(const char *name, int channels, int rate, uint64_t *rand
   assert_int_equal(sf_close(file), 0);
 }
 
-/* The highest notes that random songs play: sounds beside the kit's file, of its own rate and of another one. */
+/* The highest notes that random songs play: sounds beside the kit's file, of its own rate and of
+ * another one. */
 static void write_sounds(FILE *file, uint64_t *random) {
   static const char *const names[] = {"sound-one.wav", "sound-pair.wav"};
   write_sound(names[0], 1, 44100, random);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file plugin_songs.h
- * MIDI files that a plugin is to play as the program does, to the bit, and what the program makes of them. Any failure
- * fails the test.
+ * MIDI files that a plugin is to play as the program does, to the bit, and what the program makes
+ * of them. Any failure fails the test.
  */
 #ifndef TABOR_TESTS_PLUGIN_SONGS_H
 #define TABOR_TESTS_PLUGIN_SONGS_H
@@ -75,8 +75,9 @@ typedef struct Take {
 void take_open(Take *take, uint32_t channels);
 void take_close(Take *take);
 /**
- * Lets `tabor COMMAND` with @p options play the song: with --stereo among them at the pair, otherwise at these
- * microphones, two of them at the level of the stereo plugin's pair and in free air, if @p options have no room. With
+ * Lets `tabor COMMAND` with @p options play the song: with --stereo among them at the pair,
+ * otherwise at these microphones, two of them at the level of the stereo plugin's pair and in free
+ * air, if @p options have no room. With
  * --kit it is the kit's mix; with --split, too, nothing is read.
  */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take);

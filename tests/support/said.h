@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file said.h
- * Replaces the messages of host/base/message.h in tests of single modules: keeps them instead of printing them.
+ * Replaces the messages of host/base/message.h in tests of single modules: keeps them instead of
+ * printing them.
  */
 #ifndef TABOR_TESTS_SAID_H
 #define TABOR_TESTS_SAID_H

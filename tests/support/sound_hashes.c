@@ -1,24 +1,28 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file sound_hashes.c
- * Prints hashes of the library's results, for tools/same-sound and test_system_sound_hashes. It uses only the
- * public interface, so it can be linked to the library of another commit.
+ * Prints hashes of the library's results, for tools/same-sound and test_system_sound_hashes. It
+ * uses only the public interface, so it can be linked to the library of another commit.
  *
  *     sound_hashes list                                      the built-in presets and kits
  *     sound_hashes hash PRESET|KIT QUALITY [SECONDS [FOLDER]]    a line for each case
  *     sound_hashes summary QUALITY [baseline|avx2|avx512]    one hash of the presets
- *     sound_hashes difference FILE FILE                      largest difference of two sounds [dB re peak]
+ *     sound_hashes difference FILE FILE                      largest difference of two sounds [dB
+ * re peak]
  *
- * A line is "PRESET QUALITY CASE BLOCKS SOUND LEDGER STATE". SOUND covers the samples of all microphones, LEDGER
- * the ledger, the statistics and the probe, STATE the bytes that tabor_drum_state_save() writes. A case plays in
- * blocks of 64 frames. Cheap cases play also in blocks of 1 and of 1000, and "everything" also with the baseline
- * instructions ("64-baseline"); the hashes of one case must be the same for all of these. The case "model"
- * hashes the facts and modes of the model instead of a sound.
+ * A line is "PRESET QUALITY CASE BLOCKS SOUND LEDGER STATE". SOUND covers the samples of all
+ * microphones, LEDGER the ledger, the statistics and the probe, STATE the bytes that
+ * tabor_drum_state_save() writes. A case plays in blocks of 64 frames. Cheap cases play also in
+ * blocks of 1 and of 1000, and "everything" also with the baseline instructions ("64-baseline");
+ * the hashes of one case must be the same for all of these. The case "model" hashes the facts and
+ * modes of the model instead of a sound.
  *
- * Of a kit (kit_hashes.c) SOUND covers the mix, each drum's part of it and all microphones, LEDGER those of all drums.
+ * Of a kit (kit_hashes.c) SOUND covers the mix, each drum's part of it and all microphones, LEDGER
+ * those of all drums.
  *
- * FOLDER receives the samples of each case as native floats, in the file PRESET-QUALITY-CASE. SECONDS is 0.05
- * by default or if 0; then studio and reference play a quarter of it, snare drums at reference a twentieth.
+ * FOLDER receives the samples of each case as native floats, in the file PRESET-QUALITY-CASE.
+ * SECONDS is 0.05 by default or if 0; then studio and reference play a quarter of it, snare drums
+ * at reference a twentieth.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -31,8 +35,8 @@
 
 static const double SAMPLE_RATE = 48000.0; /* [Hz] */
 static const double SECONDS = 0.05;        /* of every case */
-/* What plays only a part of a case: studio and reference take up to a hundred times real time, and at reference a
- * model with so many contact points takes hundreds of times. */
+/* What plays only a part of a case: studio and reference take up to a hundred times real time, and
+ * at reference a model with so many contact points takes hundreds of times. */
 static const uint32_t FINE_PART = 4, COSTLY_PART = 20;
 static const uint32_t COSTLY_POINTS = 500;
 
@@ -92,7 +96,8 @@ static TaborModel *build(const TaborDrumDef *def, TaborQuality quality,
   return model;
 }
 
-/* The same drum with a tenser head, and another drum; both with a narrow band, so that they are built soon. */
+/* The same drum with a tenser head, and another drum; both with a narrow band, so that they are
+ * built soon. */
 static TaborDrumDef tenser(const TaborDrumDef *def) {
   TaborDrumDef other = *def;
   other.batter.tension = fmin(1.05 * def->batter.tension, 20000.0);
@@ -236,8 +241,8 @@ static void play_muffle(Performance *p) {
   (void)strike(p, 700, TABOR_TECHNIQUE_NORMAL, 3.0);
 }
 
-/* Every live parameter goes a tenth of the way from its default to its greatest value, or back; two frames
- * apart, in a very costly model at once. */
+/* Every live parameter goes a tenth of the way from its default to its greatest value, or back; two
+ * frames apart, in a very costly model at once. */
 static void move_parameters(Performance *p, uint32_t thousandth, double part) {
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *row = tabor_parameter(i);
@@ -540,7 +545,8 @@ static Hash add_preset(Hash hash, const Subject *s) {
   return hash;
 }
 
-/* Of drums: tunings are made of the same code. At reference without snare drums: they take seconds to build. */
+/* Of drums: tunings are made of the same code. At reference without snare drums: they take seconds
+ * to build. */
 static void print_summary(const char *quality) {
   Hash hash = HASH_START;
   for (uint32_t i = 0; i < tabor_preset_count() && !tabor_preset(i)->base; i++) {

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file stroke_times.c
- * Plays strokes on a preset with the baseline instructions, and prints a hash of the sound and what it cost
- * (tools/check-web). It uses only the public interface and the C library.
+ * Plays strokes on a preset with the baseline instructions, and prints a hash of the sound and what
+ * it cost (tools/check-web). It uses only the public interface and the C library.
  *
  *     stroke_times PRESET QUALITY SECONDS [ROUNDS]
  *
- * The drum plays its default stroke twice a second. A line is "HASH RATIO": FNV-1a of the samples of all microphones, and
- * processor time over the time that the sound lasts, the least of ROUNDS (5 by default). The first round is
- * often the dearest: a machine of WebAssembly is still compiling.
+ * The drum plays its default stroke twice a second. A line is "HASH RATIO": FNV-1a of the samples
+ * of all microphones, and processor time over the time that the sound lasts, the least of ROUNDS (5
+ * by default). The first round is often the dearest: a machine of WebAssembly is still compiling.
  */
 #include <inttypes.h>
 #include <stdio.h>

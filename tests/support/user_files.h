@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file user_files.h
- * A folder of the user's own drums and kits, which the process takes for that of its user: drum.ini, a drum that calls itself
- * "mine"; kit.ini, a kit of two toms and a closed hi-hat, the sound file hat.wav, that calls itself "my-kit"; else.ini, which is
- * neither.
+ * A folder of the user's own drums and kits, which the process takes for that of its user:
+ * drum.ini, a drum that calls itself "mine"; kit.ini, a kit of two toms and a closed hi-hat, the
+ * sound file hat.wav, that calls itself "my-kit"; else.ini, which is neither.
  */
 #ifndef TABOR_TESTS_USER_FILES_H
 #define TABOR_TESTS_USER_FILES_H

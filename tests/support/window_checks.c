@@ -6,7 +6,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Fontconfig keeps what it knows of fonts until the program ends, and it is the same for every window. */
+/* Fontconfig keeps what it knows of fonts until the program ends, and it is the same for every
+ * window. */
 const char *__lsan_default_suppressions(void);
 const char *__lsan_default_suppressions(void) { return "leak:libfontconfig"; }
 

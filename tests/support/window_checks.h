@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file window_checks.h
- * What the tests of the plugins' window share: where things are in it, pictures for a person, and files that are open.
+ * What the tests of the plugins' window share: where things are in it, pictures for a person, and
+ * files that are open.
  */
 #ifndef TABOR_TESTS_WINDOW_CHECKS_H
 #define TABOR_TESTS_WINDOW_CHECKS_H

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file worst_blocks.c
- * Benchmark of the dearest block, on which live play depends: the kit `standard` plays a MIDI file, and `snare-14x5.5` a loud roll of
- * 20 strokes a second, both at `live` and on one thread, in blocks of 64 frames. Each block counts with the least processor time of nine
- * equal runs. Prints the median block and the worst.
+ * Benchmark of the dearest block, on which live play depends: the kit `standard` plays a MIDI file,
+ * and `snare-14x5.5` a loud roll of 20 strokes a second, both at `live` and on one thread, in
+ * blocks of 64 frames. Each block counts with the least processor time of nine equal runs. Prints
+ * the median block and the worst.
  *
  *     worst_blocks SONG.MID
  */

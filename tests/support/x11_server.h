@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file x11_server.h
- * An X server of a test's own, and what a person does in a window: outer windows, clicks, pictures. Any failure fails the test.
+ * An X server of a test's own, and what a person does in a window: outer windows, clicks, pictures.
+ * Any failure fails the test.
  */
 #ifndef TABOR_TESTS_X11_SERVER_H
 #define TABOR_TESTS_X11_SERVER_H
@@ -27,7 +28,8 @@ xcb_window_t x11_server_window(X11Server *server, uint16_t width, uint16_t heigh
 void x11_server_close(X11Server *server, xcb_window_t window);
 /** The first window inside @p window; 0 if there is none. */
 xcb_window_t x11_server_inner(X11Server *server, xcb_window_t window);
-/** What the pointer does at a place of @p window: XCB_BUTTON_PRESS, XCB_BUTTON_RELEASE or XCB_MOTION_NOTIFY. */
+/** What the pointer does at a place of @p window: XCB_BUTTON_PRESS, XCB_BUTTON_RELEASE or
+ * XCB_MOTION_NOTIFY. */
 void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint8_t button, int x,
                       int y);
 /** Presses and lets go. */

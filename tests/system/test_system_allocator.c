@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Memory comes from where the caller says, and running out of it at any moment is an error like another. */
+/* Memory comes from where the caller says, and running out of it at any moment is an error like
+ * another. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

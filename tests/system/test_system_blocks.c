@@ -82,8 +82,8 @@ static void silence(Take *take, uint32_t frames) {
   }
 }
 
-/* A NULL channel costs nothing: what was under way to its microphone is missing when it is heard again,
- * all that comes later is there. */
+/* A NULL channel costs nothing: what was under way to its microphone is missing when it is heard
+ * again, all that comes later is there. */
 static void what_nobody_hears_sounds_the_same_later(void **state) {
   (void)state;
   enum { UNHEARD = 2400, UNDER_WAY = 600 };

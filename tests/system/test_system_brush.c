@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and are the same
- * whatever the blocks. */
+/* Brushes: slaps and sweeps close their accounts, sound like a rough coat and not like a tone, and
+ * are the same whatever the blocks. */
 
 #include "event_script.h"
 
@@ -211,8 +211,8 @@ static double highest_line(const double *x) {
   return most;
 }
 
-/* The force of a sweep on a head that rings no longer than it is pushed: 1 to 12 kHz. A tone of 15 % of its strength
- * would be found. */
+/* The force of a sweep on a head that rings no longer than it is pushed: 1 to 12 kHz. A tone of 15
+ * % of its strength would be found. */
 static void a_sweep_is_noise_without_a_tone(void **state) {
   (void)state;
   static double force[SEGMENT * SEGMENTS];

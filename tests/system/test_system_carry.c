@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What goes on and what ends when a drum with every kind of striker in play is swapped, replaced, silenced or reset.
+/* What goes on and what ends when a drum with every kind of striker in play is swapped, replaced,
+ * silenced or reset.
  *
  * usage: test_system_carry [brief]: of drums with fewer wires, and for a shorter time. */
 #include "drum/drum.h"
@@ -73,8 +74,9 @@ static TaborEvent parameter(uint32_t frame, const char *key, double value) {
                       .value = value};
 }
 
-/* 0: free and pressed sticks, a rimshot, a hand. 1: a cross-stick with its palm, a stick on the rim, one that is
- * lifted. 2: brushes, one in a sweep, one in a slap. Values move in all, and stand where the definition has them not. */
+/* 0: free and pressed sticks, a rimshot, a hand. 1: a cross-stick with its palm, a stick on the
+ * rim, one that is lifted. 2: brushes, one in a sweep, one in a slap. Values move in all, and stand
+ * where the definition has them not. */
 static Scene make_scene(int which) {
   Scene scene = {.count = 0};
   add(&scene, parameter(0, "resonant.muffle_strength", 0.4));
@@ -193,8 +195,8 @@ static void assert_scene(const TaborDrum *drum, int which) {
   assert_true(drum->state->strikers.slots[TB_MUFFLERS + 1].kind == TB_SLOT_MUFFLER);
 }
 
-/* Leaves what stands for something: not what was in a slot that is free now, nor what the next step overwrites, nor the
- * height at which hands begin, which follow the head. */
+/* Leaves what stands for something: not what was in a slot that is free now, nor what the next step
+ * overwrites, nor the height at which hands begin, which follow the head. */
 static void keep_what_counts(TbState *state) {
   const uint32_t scratch = (state->newest + 1) % 3;
   memset(state->strikers.z[scratch], 0, sizeof state->strikers.z[scratch]);
@@ -257,8 +259,9 @@ static void the_same_model_changes_nothing(void **state) {
   }
 }
 
-/* A change of the head of one part in a billion: every striker stays where it is, as fast as it is, and is pressed as
- * hard; the ledger closes, and what is heard of it hardly differs. Without a high band, which begins anew. */
+/* A change of the head of one part in a billion: every striker stays where it is, as fast as it is,
+ * and is pressed as hard; the ledger closes, and what is heard of it hardly differs. Without a high
+ * band, which begins anew. */
 static void a_slightly_other_model_changes_next_to_nothing(void **state) {
   (void)state;
   enum { LOOKS = 60 };
@@ -322,7 +325,8 @@ static void a_slightly_other_model_changes_next_to_nothing(void **state) {
   tabor_model_release(near);
 }
 
-/* Live sees one step a sample, studio two: what lasts goes on for as long a time, and what moves as fast. */
+/* Live sees one step a sample, studio two: what lasts goes on for as long a time, and what moves as
+ * fast. */
 static void times_and_speeds_stay_when_steps_are_halved(void **state) {
   (void)state;
   TaborDrumDef one = def;
@@ -386,7 +390,8 @@ static void times_and_speeds_stay_when_steps_are_halved(void **state) {
   tabor_model_release(studio);
 }
 
-/* A value that nobody moved becomes the new definition's; one that was moved stays. Mufflers follow. */
+/* A value that nobody moved becomes the new definition's; one that was moved stays. Mufflers
+ * follow. */
 static void live_values_stay_if_they_were_moved(void **state) {
   (void)state;
   TaborDrumDef other = def;
@@ -410,7 +415,8 @@ static void live_values_stay_if_they_were_moved(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
-/* A definition without brushes has nothing to go on with in a brush's place: the brush vanishes, the stick stays. */
+/* A definition without brushes has nothing to go on with in a brush's place: the brush vanishes,
+ * the stick stays. */
 static void strikers_that_the_other_drum_lacks_vanish(void **state) {
   (void)state;
   TaborDrumDef other = def;
@@ -437,7 +443,8 @@ static void strikers_that_the_other_drum_lacks_vanish(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
-/* A microphone that only the new drum has is heard in full at once; one that both have passes from one to the other. */
+/* A microphone that only the new drum has is heard in full at once; one that both have passes from
+ * one to the other. */
 static void a_new_microphone_shares_with_nobody(void **state) {
   (void)state;
   enum { CROSSED = 768, UNTIL = 1200 }; /* 16 ms, as the engine has it */
@@ -475,7 +482,8 @@ static void a_new_microphone_shares_with_nobody(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
-/* Modes that creep back have no phase: from and to a head so damped they keep place and velocity. */
+/* Modes that creep back have no phase: from and to a head so damped they keep place and velocity.
+ */
 static void overdamped_modes_keep_place_and_velocity(void **state) {
   (void)state;
   TaborDrumDef slack = physics_preset("frame-drum");
@@ -647,7 +655,8 @@ static void a_silence_takes_everybody_away(void **state) {
   tabor_model_release(model);
 }
 
-/* At a drum at rest, beside what rings out, a silence costs nothing: as many strokes act after any number of them. */
+/* At a drum at rest, beside what rings out, a silence costs nothing: as many strokes act after any
+ * number of them. */
 static void silences_of_a_drum_at_rest_are_free(void **state) {
   (void)state;
   TaborDrumDef other = def;

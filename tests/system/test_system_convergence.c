@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* One stick on one head without wires, during its first contact: contact force and the head's height
- * settle at second order as the sample rate rises. Modes and patch are the same at every rate.
+/* One stick on one head without wires, during its first contact: contact force and the head's
+ * height settle at second order as the sample rate rises. Modes and patch are the same at every
+ * rate.
  *
- * The recursion knows rates only as omega k, so a drum that is slowed down `slow` times, at 192 kHz, is
- * the drum itself at 192 slow kHz: T, D, K over slow^2, losses and speeds over slow, lambda times slow.
- * Forces then come out slow^2 times smaller. Below 88.2 kHz a model steps twice per
+ * The recursion knows rates only as omega k, so a drum that is slowed down `slow` times, at 192
+ * kHz, is the drum itself at 192 slow kHz: T, D, K over slow^2, losses and speeds over slow, lambda
+ * times slow. Forces then come out slow^2 times smaller. Below 88.2 kHz a model steps twice per
  * sample, so that rates here begin at 96 kHz. */
 #include "physics.h"
 
@@ -12,7 +13,8 @@ static const double PI = 3.14159265358979323846;
 
 /* Observed order: 2 is expected, from the gain of the modes and from the discrete gradient. */
 static const double LEAST_ORDER = 1.5;
-/* The slope limit of the engine is 10 over the compliance; the contact stays below a tenth of it. */
+/* The slope limit of the engine is 10 over the compliance; the contact stays below a tenth of it.
+ */
 static const double MOST_STIFFNESS = 1.0;
 /* Rounding and set-up by other numbers: the slowed drum is the same drum. */
 static const double SIMILAR = 1e-7;
@@ -84,8 +86,8 @@ static double distance(const double *a, const double *b) {
   return sqrt(sum / size);
 }
 
-/* K' times the compliance of stick and head over one step: the engine limits this to 10. A head of N
- * modes and mass m yields by about k^2 N/m. */
+/* K' times the compliance of stick and head over one step: the engine limits this to 10. A head of
+ * N modes and mass m yields by about k^2 N/m. */
 static double relative_stiffness(const Run *run, double rate) {
   const TaborDrumDef def = definition(1.0);
   const TaborStrikerDef *stick = &def.striker[0];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* The energy ledger: over 0.13 s of every preset at draft and live; at studio of one preset of each kind, and over
- * 0.2 s of these without their losses.
+/* The energy ledger: over 0.13 s of every preset at draft and live; at studio of one preset of each
+ * kind, and over 0.2 s of these without their losses.
  *
- * usage: test_system_energy [brief | narrow | long]: a sixtieth of a second of every fifth preset; the same with few
- * modes; or a second and half a second of each, all of them at studio, too. */
+ * usage: test_system_energy [brief | narrow | long]: a sixtieth of a second of every fifth preset;
+ * the same with few modes; or a second and half a second of each, all of them at studio, too. */
 #include "physics.h"
 
 static const double RATE = 48000.0;
@@ -15,7 +15,8 @@ static bool all_at_studio, narrow;
 static const double DRIFT = 1e-11;
 /* With losses every joule is accounted for. */
 static const double RESIDUAL = 1e-9;
-/* At draft, two Newton iterations often end before convergence: the remedies may lose, never create. */
+/* At draft, two Newton iterations often end before convergence: the remedies may lose, never
+ * create. */
 static const double DRAFT_LOSS = 1e-5;
 /* What rounding may leave where wires hang 2 cm from their rest [J]. */
 static const double DROPPED = 2e-15;
@@ -30,7 +31,8 @@ static TaborDrumDef drum_def(const char *name) {
 static const char *const kinds[] = {"frame-drum", "bodhran-d-string", "timpani-26", "tom-12",
                                     "snare-14x5.5"};
 
-/* The finest quality at which a preset is looked at: models and steps of studio take many times those of live. */
+/* The finest quality at which a preset is looked at: models and steps of studio take many times
+ * those of live. */
 static uint32_t finest_quality(const char *preset) {
   if (all_at_studio) return TABOR_QUALITY_STUDIO;
   for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
@@ -217,8 +219,9 @@ static void a_hand_damps_the_head(void **state) {
   assert_true(left[1] < 0.1 * left[0]);
 }
 
-/* Twelve gut strands thrown about: one sample ends at the cap of 4 with both remedies spent. The step is
- * then shortened by as little as the energy asks for, not by a fifth of all motion, which clicks. */
+/* Twelve gut strands thrown about: one sample ends at the cap of 4 with both remedies spent. The
+ * step is then shortened by as little as the energy asks for, not by a fifth of all motion, which
+ * clicks. */
 static void the_guard_takes_next_to_nothing(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("marching-14x12");
@@ -244,9 +247,10 @@ static void the_guard_takes_next_to_nothing(void **state) {
   tabor_model_release(model);
 }
 
-/* Wires of heavy damping drop 2 cm from a head. Their displacements are rounded to a part 1e-16, as if springs of
- * 1e-16 m/k^2 held them, mass m: 1e-13 J at 2 cm. A recursion that rounds always to one side, because its
- * coefficients do, brings them a tenth of that, one that adds up changes a thousandth. */
+/* Wires of heavy damping drop 2 cm from a head. Their displacements are rounded to a part 1e-16, as
+ * if springs of 1e-16 m/k^2 held them, mass m: 1e-13 J at 2 cm. A recursion that rounds always to
+ * one side, because its coefficients do, brings them a tenth of that, one that adds up changes a
+ * thousandth. */
 static void wires_far_from_rest_gain_nothing_by_rounding(void **state) {
   (void)state;
   TaborDrumDef def = physics_preset("snare-14x6.5-loose");

@@ -321,7 +321,8 @@ static void a_silence_behind_a_flood_acts(void **state) {
   tabor_drum_destroy(drum);
 }
 
-/* Moves of a knob act even behind a flood of strokes; of thousands the last are dropped and counted. */
+/* Moves of a knob act even behind a flood of strokes; of thousands the last are dropped and
+ * counted. */
 static void thousands_of_live_changes_are_bounded(void **state) {
   (void)state;
   enum { CHANGES = 3000, LEAST = 1000 };
@@ -357,7 +358,8 @@ static void strokes_act_again_after_a_flood(void **state) {
   tabor_drum_statistics(drum, &statistics);
   assert_int_equal(statistics.dropped_events, 1); /* a reset is no way around the bound */
   tabor_drum_process(drum, &reset, 1, NULL, 0);   /* of a drum at rest: free */
-  /* 8 strokes, a reset that counts like 7, and one stroke made the burst; a reset came on top of it. */
+  /* 8 strokes, a reset that counts like 7, and one stroke made the burst; a reset came on top of
+   * it. */
   tabor_drum_process(drum, NULL, 0, NULL, (7 + 1) * TABOR_BURST_FRAMES);
   tabor_drum_process(drum, flood, 2, NULL, 0);
   tabor_drum_statistics(drum, &statistics);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A stick that a hand presses onto the head bounces: the harder, the faster. Its work is accounted for. */
+/* A stick that a hand presses onto the head bounces: the harder, the faster. Its work is accounted
+ * for. */
 #include "event_script.h"
 
 #include "model/model.h"
@@ -59,7 +60,8 @@ static void a_light_press_brings_the_stick_back(void **state) {
   double at[2] = {0.0};
   TaborLedger ledger;
   assert_true(count_hits(0.0, 0.3, at, 2, &ledger) >= 2);
-  /* It leaves with at most the speed it came with: 84 ms at the longest, less by spring and loss. */
+  /* It leaves with at most the speed it came with: 84 ms at the longest, less by spring and loss.
+   */
   assert_true(at[1] - at[0] > 0.01 && at[1] - at[0] < 2.0 * 0.0126 * 1.0 / 0.3);
 }
 
@@ -216,8 +218,8 @@ static void a_buzz_is_a_stroke_that_is_pressed(void **state) {
   assert_memory_equal(sound[0], sound[1], sizeof sound[0]);
 }
 
-/* What the lift of the hardest press adds to the sound is 30 dB below the stroke: 20 where it took 8 ms, and was heard as a
- * stroke. */
+/* What the lift of the hardest press adds to the sound is 30 dB below the stroke: 20 where it took
+ * 8 ms, and was heard as a stroke. */
 static void a_stick_is_lifted_without_a_second_stroke(void **state) {
   (void)state;
   enum { LIFTED = 19200, FRAMES = 28800 };
@@ -246,7 +248,8 @@ static void a_stick_is_lifted_without_a_second_stroke(void **state) {
   tabor_model_release(model);
 }
 
-/* A rod of 0.4 m: held at its middle 1/3 of it counts at the tip, at a third from its end a quarter. */
+/* A rod of 0.4 m: held at its middle 1/3 of it counts at the tip, at a third from its end a
+ * quarter. */
 static void where_the_stick_is_held_decides_what_it_weighs(void **state) {
   (void)state;
   static const double PIVOT[] = {0.2, 0.4 / 3.0}, PART[] = {1.0 / 3.0, 0.25};

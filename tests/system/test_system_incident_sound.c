@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sound from outside: a source at a microphone's place pushes the heads as that microphone hears them. */
+/* Sound from outside: a source at a microphone's place pushes the heads as that microphone hears
+ * them. */
 #include "drum/drum.h"
 #include "physics.h"
 
@@ -15,7 +16,8 @@ static TaborDrum *drum_of(const TaborDrumDef *def, uint32_t quality) {
   return drum;
 }
 
-/* Plays `frames` frames of what `pressure` gives [Pa], from `from` on, into sound[] of the first microphone. */
+/* Plays `frames` frames of what `pressure` gives [Pa], from `from` on, into sound[] of the first
+ * microphone. */
 static void play(TaborDrum *drum, uint32_t mic, double (*pressure)(uint32_t), uint32_t from,
                  uint32_t frames, float *sound) {
   for (uint32_t at = 0; at < frames; at += BLOCK) {
@@ -34,8 +36,9 @@ static double one_pascal(uint32_t frame) {
   return frame < rise ? 0.5 - 0.5 * cos(PI * frame / rise) : 1.0;
 }
 
-/* A membrane in a baffle under a far source: the baffle doubles the pressure, and a uniform pressure p pushes the
- * centre by p a^2/(4 T). What is missing are the modes above the bandwidth, and the far source's own curvature. */
+/* A membrane in a baffle under a far source: the baffle doubles the pressure, and a uniform
+ * pressure p pushes the centre by p a^2/(4 T). What is missing are the modes above the bandwidth,
+ * and the far source's own curvature. */
 static const double STATIC_TOLERANCE = 0.01;
 
 static void slow_sound_pushes_a_membrane_like_a_uniform_pressure(void **state) {
@@ -164,7 +167,8 @@ static void no_level_of_noise_creates_energy(void **state) {
   }
 }
 
-/* Sound beyond the air's own pressure sounds like sound of that pressure; what is no number is silence. */
+/* Sound beyond the air's own pressure sounds like sound of that pressure; what is no number is
+ * silence. */
 static void sound_is_limited_to_the_pressure_of_the_air(void **state) {
   (void)state;
   static const float LOUD[3][4] = {

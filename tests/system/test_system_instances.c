@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Many drums: each sounds as if it were alone, creating one is cheap, and none leaves anything behind.
+/* Many drums: each sounds as if it were alone, creating one is cheap, and none leaves anything
+ * behind.
  *
  *     test_system_instances [CYCLES [CASES]]
  *
- * CYCLES drums are created and destroyed, 1000 unless given; CASES is a pattern of the names of those to
- * run, for valgrind. */
+ * CYCLES drums are created and destroyed, 1000 unless given; CASES is a pattern of the names of
+ * those to run, for valgrind. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -137,8 +138,8 @@ static TaborModel *model_from(Supply *supply) {
   return model;
 }
 
-/* A drum takes its own piece of memory, one for its state, and two for what a silence lets fade. It computes nothing
- * but its rest: that is why it is cheap. */
+/* A drum takes its own piece of memory, one for its state, and two for what a silence lets fade. It
+ * computes nothing but its rest: that is why it is cheap. */
 static void a_drum_takes_the_memory_that_its_model_says(void **state) {
   (void)state;
   Supply supply = {0};

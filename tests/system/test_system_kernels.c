@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* The same bits from every instruction set, and from every thread.
  *
- * usage: test_system_kernels [brief | narrow]: at draft and live alone; or all of it, of drums with few modes. */
+ * usage: test_system_kernels [brief | narrow]: at draft and live alone; or all of it, of drums with
+ * few modes. */
 #include <pthread.h>
 #include <setjmp.h>
 #include <stdarg.h>

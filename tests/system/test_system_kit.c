@@ -223,7 +223,8 @@ static void a_first_value_is_as_if_it_were_defined(void **state) {
   }
 }
 
-/* Work of the air on a drum that nobody strikes, at a coupling in dB; without wires it must be awake. */
+/* Work of the air on a drum that nobody strikes, at a coupling in dB; without wires it must be
+ * awake. */
 static double heard_work(double coupling, bool live) {
   static const char *const PRESETS[] = {"bass-drum-22", "tom-12"};
   char text[32];
@@ -329,7 +330,8 @@ static uint64_t dropped_by(const TaborKit *kit, uint32_t drum) {
 
 enum { FLOOD = 1300 };
 
-/* Strokes, gains, hands, releases and now and then a reset, within 64 frames; nine of ten for drum 1. */
+/* Strokes, gains, hands, releases and now and then a reset, within 64 frames; nine of ten for
+ * drum 1. */
 static void draw_flood(const TaborKitDef *def, uint64_t *random, TaborKitEvent events[FLOOD]) {
   static const uint32_t TYPES[] = {TABOR_EVENT_STRIKE, TABOR_EVENT_GAIN,    TABOR_EVENT_GAIN,
                                    TABOR_EVENT_DAMP,   TABOR_EVENT_RELEASE, TABOR_EVENT_GAIN,
@@ -375,7 +377,8 @@ static void a_flood_of_events_sounds_alike_in_all_blocks(void **state) {
   free(def);
 }
 
-/* A hand that moves too often leaves the drum in debt, which lasts across calls and in a saved state. */
+/* A hand that moves too often leaves the drum in debt, which lasts across calls and in a saved
+ * state. */
 static void a_debt_of_events_is_part_of_the_state(void **state) {
   (void)state;
   static const char *const PRESETS[] = {"tom-12"};
@@ -497,7 +500,8 @@ static double work_at(double distance, uint64_t *first) {
   return work;
 }
 
-/* What a head takes from a wave goes with the square of the pressure, which falls with the distance. */
+/* What a head takes from a wave goes with the square of the pressure, which falls with the
+ * distance. */
 static void sound_falls_with_the_distance_and_takes_its_time(void **state) {
   (void)state;
   uint64_t near_frames, far_frames;
@@ -526,7 +530,8 @@ static void the_shortest_way_takes_a_third_of_a_millisecond(void **state) {
   }
 }
 
-/* What a tom's stroke gives the other drum [J], after much sound and, if asked for, a reset of the tom. */
+/* What a tom's stroke gives the other drum [J], after much sound and, if asked for, a reset of the
+ * tom. */
 static double work_after(TaborKit *kit, const TaborKitDef *def, bool reset) {
   tabor_kit_reset(kit);
   for (int i = 0; i < 4; i++) {
@@ -581,8 +586,8 @@ static void a_tom_makes_the_snares_sound_and_wakes_no_tom(void **state) {
   free(def);
 }
 
-/* Work of the loudest air (engine/src/kit/kit.h) on a head at rest: a force F = 2 p A through 64 frames on the mass
- * of the head. */
+/* Work of the loudest air (engine/src/kit/kit.h) on a head at rest: a force F = 2 p A through 64
+ * frames on the mass of the head. */
 static double most_work(const TaborDrumDef *def) {
   const double area = 3.14159265358979 * def->shell.radius * def->shell.radius;
   const double impulse = 2.0 * 200.0 * area * 64.0 / RATE;

@@ -99,7 +99,8 @@ static void a_drum_that_is_tuned_is_swapped(void **state) {
   free(def);
 }
 
-/* While drums do not hear each other, those that stay have the same bits, and what is left rings on in the kit before. */
+/* While drums do not hear each other, those that stay have the same bits, and what is left rings on
+ * in the kit before. */
 static void drums_come_and_go_while_others_ring(void **state) {
   (void)state;
   static Heard one, left, other;
@@ -140,8 +141,8 @@ static void drums_come_and_go_while_others_ring(void **state) {
   free(def);
 }
 
-/* The sound in a room that is exchanged goes on in it, and new sound is in the other one: at the moment of the change the
- * mix of both has no step. */
+/* The sound in a room that is exchanged goes on in it, and new sound is in the other one: at the
+ * moment of the change the mix of both has no step. */
 static void a_room_that_is_exchanged_rings_on(void **state) {
   (void)state;
   static Heard one, left, other;
@@ -161,7 +162,8 @@ static void a_room_that_is_exchanged_rings_on(void **state) {
   play(first, NULL, 0, &left, HALF, LENGTH - HALF);
   play(second, NULL, 0, &other, HALF, LENGTH - HALF);
   assert_memory_equal(other.mic, one.mic, sizeof one.mic);
-  /* Until the first reflection of what is new, both together are the old room; it takes 108 frames. */
+  /* Until the first reflection of what is new, both together are the old room; it takes 108 frames.
+   */
   for (uint32_t i = HALF; i < HALF + 100; i++) {
     for (int side = 0; side < 2; side++) {
       const double sum = (double)left.stereo[side][i] + (double)other.stereo[side][i];

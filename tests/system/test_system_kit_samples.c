@@ -151,7 +151,8 @@ static void the_gain_of_all_sounds_moves_smoothly(void **state) {
   free(def);
 }
 
-/* A flood takes the place of the oldest; what is no stroke of a sound is dropped, and what names a file alone is silent. */
+/* A flood takes the place of the oldest; what is no stroke of a sound is dropped, and what names a
+ * file alone is silent. */
 static void a_flood_and_what_is_dropped(void **state) {
   (void)state;
   static Mix mix;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted [BS1770], by
- * libebur128, at live. Peaks are also looked at at studio, where they come within 0.05 s of a stroke, too. All in the
- * preset's first microphone.
+/* Presets are as loud as one another, and no stroke passes full scale. Loudness is K-weighted
+ * [BS1770], by libebur128, at live. Peaks are also looked at at studio, where they come within 0.05
+ * s of a stroke, too. All in the preset's first microphone.
  *
- * usage: test_system_levels [brief|tunings]: drums with less than two wires alone, at live alone, for slow builds; tunings
- * instead of drums, at live alone, which otherwise play for 50 ms. */
+ * usage: test_system_levels [brief|tunings]: drums with less than two wires alone, at live alone,
+ * for slow builds; tunings instead of drums, at live alone, which otherwise play for 50 ms. */
 #include <ebur128.h>
 
 #include "physics.h"
@@ -86,8 +86,8 @@ static int measure(void **state) {
   return 0;
 }
 
-/* What NEWS.md says of the default stroke [dBFS]. On the soft head of a bass drum, which stretches, strokes grow by more
- * than their speed, and the hardest ones leave less room. */
+/* What NEWS.md says of the default stroke [dBFS]. On the soft head of a bass drum, which stretches,
+ * strokes grow by more than their speed, and the hardest ones leave less room. */
 static double least_peak(const char *name) {
   if (strcmp(name, "bass-drum-22") == 0) return -16.1;
   if (strncmp(name, "bass-drum-22", 12) == 0) return -16.2;
@@ -113,7 +113,8 @@ static void nothing_passes_full_scale(void **state) {
   }
 }
 
-/* Of a drum set: a bass drum's low note weighs little in K-weighting, and its peak leaves no room. */
+/* Of a drum set: a bass drum's low note weighs little in K-weighting, and its peak leaves no room.
+ */
 static bool is_snare_or_tom(const char *name) {
   return strncmp(name, "snare-", 6) == 0 || strncmp(name, "piccolo-", 8) == 0 ||
          strncmp(name, "marching-", 9) == 0 || strstr(name, "tom-") != NULL;

@@ -4,8 +4,9 @@
 
 enum { BLOCK = 64, BLOCKS = 400 };
 
-/* Wires whose lever lets them down by `travel` [m], off. A muffled, slack head that stretches: two contacts
- * that know of it, of which random trials found one that did not while wires were lifted. */
+/* Wires whose lever lets them down by `travel` [m], off. A muffled, slack head that stretches: two
+ * contacts that know of it, of which random trials found one that did not while wires were lifted.
+ */
 static TaborModel *drum_off(double travel) {
   TaborDrumDef def = physics_preset("snare-14x5.5-off");
   physics_lay_even(&def);
@@ -31,7 +32,8 @@ static TaborStatistics statistics_of(const TaborDrum *drum) {
   return statistics;
 }
 
-/* What solves at their cap lose may stay out of the balance, here where a blow drives the head through the wires. */
+/* What solves at their cap lose may stay out of the balance, here where a blow drives the head
+ * through the wires. */
 static const double CAPPED_LOSS = 1e-4;
 
 static void assert_balanced(const TaborDrum *drum) {
@@ -44,12 +46,12 @@ static void assert_balanced(const TaborDrum *drum) {
   assert_true(ledger.residual < (statistics_of(drum).newton_capped ? CAPPED_LOSS : 1e-9) * scale);
 }
 
-/* Newton's iteration ends where its residual is rounding noise of the largest change of a penetration, and wires
- * that are computed count there: the last bit of a sample may differ. */
+/* Newton's iteration ends where its residual is rounding noise of the largest change of a
+ * penetration, and wires that are computed count there: the last bit of a sample may differ. */
 static const float LAST_BIT = 2e-7f;
 
-/* At 2.9 mm wires are computed, at 6 mm not: the head feels neither. A harder stroke on the moving head would
- * lower them, which rounds. */
+/* At 2.9 mm wires are computed, at 6 mm not: the head feels neither. A harder stroke on the moving
+ * head would lower them, which rounds. */
 static void nothing_is_heard_of_it(void **state) {
   (void)state;
   static float heard[2][BLOCKS * BLOCK];
@@ -72,7 +74,8 @@ static void nothing_is_heard_of_it(void **state) {
   }
 }
 
-/* A blow that drives the head through the gap, and a lever that closes it, while the wires are lifted. */
+/* A blow that drives the head through the gap, and a lever that closes it, while the wires are
+ * lifted. */
 static void wires_are_there_when_they_are_met(void **state) {
   (void)state;
   static float heard[BLOCKS * BLOCK];

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Every live parameter at both ends of its range, reached by a step and by a ramp, at every quality: the sound stays
- * bounded, every joule is accounted for, and the drum falls asleep afterwards.
+/* Every live parameter at both ends of its range, reached by a step and by a ramp, at every
+ * quality: the sound stays bounded, every joule is accounted for, and the drum falls asleep
+ * afterwards.
  *
  * usage: test_system_live_params [long]: the snare drum at studio and reference, too. */
 #include "physics.h"
@@ -48,7 +49,8 @@ static Play begin(TaborModel *model) {
                 .gain = def->mic[0].gain};
 }
 
-/* Plays a block. While gain or full scale move, the least scaling of either counts, so that a peak is never missed. */
+/* Plays a block. While gain or full scale move, the least scaling of either counts, so that a peak
+ * is never missed. */
 static void play(Play *p, const TaborEvent *events, uint32_t count, double scale) {
   float samples[BLOCK], *outputs[TABOR_MAX_MICS] = {samples};
   tabor_drum_process(p->drum, events, count, outputs, BLOCK);
@@ -83,7 +85,8 @@ static double present_value(const TaborDrumDef *def, const TaborParameter *param
   return strtod(text, NULL);
 }
 
-/* The residual counts against all energy that was ever put in or taken by the parameter: `control` is a sum. */
+/* The residual counts against all energy that was ever put in or taken by the parameter: `control`
+ * is a sum. */
 static void check_ledger(const Play *p, double *put_in, uint32_t quality, const char *what) {
   TaborLedger ledger;
   TaborStatistics statistics;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A drum whose lugs pull unevenly: its modes come apart as an independent computation says, it sounds
- * so, its energy is accounted for, and an even drum keeps every bit.
+/* A drum whose lugs pull unevenly: its modes come apart as an independent computation says, it
+ * sounds so, its energy is accounted for, and an even drum keeps every bit.
  *
  * usage: test_system_lugs [brief]: fewer of the ways that end alike. */
 #include "physics.h"
@@ -115,7 +115,8 @@ static double peak(const float *x, double from, double to) {
   return best;
 }
 
-/* Lug 3 of 10 stands at 90 degrees: tightened, it raises the mode that moves along it and no other. */
+/* Lug 3 of 10 stands at 90 degrees: tightened, it raises the mode that moves along it and no other.
+ */
 static void each_mode_of_a_pair_sounds_at_its_own_pitch_and_axis(void **state) {
   (void)state;
   static float x[FRAMES];

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Mufflers: a light one adds c phi^2/2 to each mode's decay rate; one of strength 0 is not there. */
+/* Mufflers: a light one adds c phi^2/2 to each mode's decay rate; one of strength 0 is not there.
+ */
 #include "physics.h"
 
 #include "definition/params.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The three configurations of [Torin2014] section 4.2: how high head and string go in the first 120 ms,
- * how often the string bounces, and whose motion dies first. */
+/* The three configurations of [Torin2014] section 4.2: how high head and string go in the first 120
+ * ms, how often the string bounces, and whose motion dies first. */
 #include "physics.h"
 
 static const double SECONDS = 0.12, LATE = 0.08;

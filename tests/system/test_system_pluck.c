@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Plucked wires: the shape that a slow pull leaves, its work, and the energy of plucks on snare drums. */
+/* Plucked wires: the shape that a slow pull leaves, its work, and the energy of plucks on snare
+ * drums. */
 #include "drum/drum.h"
 #include "physics.h"
 
@@ -45,8 +46,8 @@ static TaborDrum *pulled(const TaborDrumDef *def, double place, double displacem
   return drum;
 }
 
-/* After a second, a string of 50 ms is where the force holds it to some 1e-5; the force of the last step but one is
- * 1e-9 short of the whole. */
+/* After a second, a string of 50 ms is where the force holds it to some 1e-5; the force of the last
+ * step but one is 1e-9 short of the whole. */
 static const double SETTLED = 1e-4;
 
 /* The limit EI -> 0: two straight lines from the ends to the finger, whose work is their energy. */

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT */
 /* The sound that a drum books as radiated is the sound that its microphones hear.
  *
- * The power through a sphere around the drum is Int p^2/(rho0 c0) dS. Eight microphones stand on a meridian of the
- * sphere, at the nodes of Gauss's rule in the cosine of the polar angle. The rule is exact for waves of degree 7 and
- * less, which have nearly all of the power: k R = 3 hardly exceeds them. The sphere is as large as microphones may be distant: k s is 8.5 for the lowest
- * mode of the bass drum, and at least 13 for those of other drums. There p^2/(rho0 c0) exceeds the intensity by
- * 1/(k s)^2 for a dipole and 3/(k s)^2 for a quadrupole: 1.4 % for that mode, less for all others. */
+ * The power through a sphere around the drum is Int p^2/(rho0 c0) dS. Eight microphones stand on a
+ * meridian of the sphere, at the nodes of Gauss's rule in the cosine of the polar angle. The rule
+ * is exact for waves of degree 7 and less, which have nearly all of the power: k R = 3 hardly
+ * exceeds them. The sphere is as large as microphones may be distant: k s is 8.5 for the lowest
+ * mode of the bass drum, and at least 13 for those of other drums. There p^2/(rho0 c0) exceeds the
+ * intensity by 1/(k s)^2 for a dipole and 3/(k s)^2 for a quadrupole: 1.4 % for that mode, less for
+ * all others. */
 #include "model/model.h"
 #include "physics.h"
 
@@ -40,8 +42,8 @@ static void surround(TaborDrumDef *def, double angle) {
 static const double ONE_MODE = 0.03;
 enum { MODES = 6 };
 
-/* Decay rate of a mode of unit mass that would feed its own field: half the power through the sphere per kinetic
- * energy. p = -omega^2 rho0 R I cos(m theta) per unit amplitude. */
+/* Decay rate of a mode of unit mass that would feed its own field: half the power through the
+ * sphere per kinetic energy. p = -omega^2 rho0 R I cos(m theta) per unit amplitude. */
 static double rate_of_field(const TaborModel *model, const TbBodyMode *mode) {
   const TaborAirDef *air = &model->def.air;
   const double around = mode->m ? PI : 2.0 * PI, radius = model->body.radius;
@@ -77,8 +79,8 @@ static bool is_rim(const TbBodyMode *mode, const TaborModel *model) {
          mode->omega * SPHERE / model->def.air.sound_speed > LEAST_FAR;
 }
 
-/* The lowest modes, and those that move mostly hoop and shell and have a far field (far_field.h). Of these the sounds of
- * wall, hoop and heads add up or cancel. */
+/* The lowest modes, and those that move mostly hoop and shell and have a far field (far_field.h).
+ * Of these the sounds of wall, hoop and heads add up or cancel. */
 static void a_mode_loses_what_its_field_carries(void **state) {
   (void)state;
   for (uint32_t p = 0; p < physics_drum_count(); p++) {
@@ -111,14 +113,17 @@ static void a_mode_loses_what_its_field_carries(void **state) {
 
 /* Meridians: the squares of waves of order 2 and less are summed exactly. */
 enum { MERIDIANS = 5, BLOCK = 64 };
-/* Microphones make up for what finite steps take from the treble of contact forces (force_equalizer.h), and the ledger
- * does not: 7 % of the power of the drum with the brightest wires at 48 kHz, 2 % here. */
+/* Microphones make up for what finite steps take from the treble of contact forces
+ * (force_equalizer.h), and the ledger does not: 7 % of the power of the drum with the brightest
+ * wires at 48 kHz, 2 % here. */
 static const double RATE = 96000.0, DURATION = 0.5;
-/* Up to the two-way limit of `live`. What the high band radiates is heard, but stands outside the ledger. */
+/* Up to the two-way limit of `live`. What the high band radiates is heard, but stands outside the
+ * ledger. */
 static const double BANDWIDTH = 4000.0;
 static const double STROKE = 0.03;
 
-/* Adds the energy that passes one meridian's share of the sphere; returns what the drum books until `DURATION`. */
+/* Adds the energy that passes one meridian's share of the sphere; returns what the drum books until
+ * `DURATION`. */
 static double heard_on(const TaborDrumDef *def, double *field) {
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
   TaborDrum *drum = physics_drum(model);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The same drum at every sample rate: levels per tenth of a decade up to 16 kHz, and the first modes.
+/* The same drum at every sample rate: levels per tenth of a decade up to 16 kHz, and the first
+ * modes.
  *
  * usage: test_system_rates [brief]: the modes alone, at 44.1 kHz. */
 #include "physics.h"
@@ -46,7 +47,8 @@ static Stroke play(const TaborDrumDef *def, double rate, double seconds) {
   return play_at(def, TABOR_QUALITY_STUDIO, rate, seconds);
 }
 
-/* Where two steps make a sample, a probe sees one of two forces. A model at twice the rate has the same steps. */
+/* Where two steps make a sample, a probe sees one of two forces. A model at twice the rate has the
+ * same steps. */
 static void force_of_steps(const TaborDrumDef *def, Stroke *stroke, double rate) {
   if (stroke->step_rate == rate) return;
   Stroke twice = play(def, stroke->step_rate, stroke->count / rate);
@@ -117,8 +119,9 @@ static double compare(const char *what, double levels[4][BANDS], double top) {
   return worst;
 }
 
-/* What a force makes of sound depends on no rate. The force itself is the solver's: with two steps per sample below
- * 88.2 kHz, and with its loss of treble made good, the sound of a medium and of a hard stroke agrees too. */
+/* What a force makes of sound depends on no rate. The force itself is the solver's: with two steps
+ * per sample below 88.2 kHz, and with its loss of treble made good, the sound of a medium and of a
+ * hard stroke agrees too. */
 static void levels_agree_from_44_to_192_kHz(void **state) {
   (void)state;
   if (brief) return;
@@ -153,8 +156,9 @@ static void live_levels(const TaborDrumDef *def, double rate, double *levels) {
   stroke_free(&stroke);
 }
 
-/* Live steps once per sample: means over strokes at three places and speeds, against 96 kHz. What is left of the error
- * of a mean of two instants grows with the square of the frequency: see force_equalizer.h. */
+/* Live steps once per sample: means over strokes at three places and speeds, against 96 kHz. What
+ * is left of the error of a mean of two instants grows with the square of the frequency: see
+ * force_equalizer.h. */
 static void live_toms_agree_from_44_to_96_kHz(void **state) {
   (void)state;
   static const char *const TOMS[] = {"tom-12", "floor-tom-16"};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter than plain strokes of
- * the same speed, cross-sticks softer and brighter; their energy is accounted for, whatever else happens. */
+/* Strokes on the hoop, as they sound and as a part of the drum: rimshots are louder and brighter
+ * than plain strokes of the same speed, cross-sticks softer and brighter; their energy is accounted
+ * for, whatever else happens. */
 #include "event_script.h"
 
 static const double RATE = 48000.0, PI = 3.14159265358979323846;
@@ -10,7 +11,8 @@ static TaborDrumDef snares_off(void) {
   return physics_small(&preset);
 }
 
-/* ---- how they sound ---------------------------------------------------------------------------- */
+/* ---- how they sound ----------------------------------------------------------------------------
+ */
 
 enum { SOUND = 9600 };
 
@@ -109,8 +111,8 @@ static void a_rimshot_is_louder_and_brighter_than_a_stroke_of_its_speed(void **s
   }
 }
 
-/* The oval mode of the shell and the mode with three diameters; a bell-like shell under heads that die soon, so that
- * they stand out. */
+/* The oval mode of the shell and the mode with three diameters; a bell-like shell under heads that
+ * die soon, so that they stand out. */
 static void modes_of_the_shell_are_heard_on_the_rim(void **state) {
   (void)state;
   static float rim[SOUND];
@@ -169,9 +171,10 @@ static double upper_middle(const float *sound) {
   return decibel(part / sum);
 }
 
-/* Of five recorded snare drums (tests/reference/recorded_drums.json names the source), the loudest cross-stick has 17, 15, 11
- * and 10 dB less energy than the loudest stroke at the microphone above, and of one, of which only loud ones were recorded,
- * 2 dB more; between 1 and 3 kHz cross-sticks have 10 dB more of theirs than strokes, in the medians. */
+/* Of five recorded snare drums (tests/reference/recorded_drums.json names the source), the loudest
+ * cross-stick has 17, 15, 11 and 10 dB less energy than the loudest stroke at the microphone above,
+ * and of one, of which only loud ones were recorded, 2 dB more; between 1 and 3 kHz cross-sticks
+ * have 10 dB more of theirs than strokes, in the medians. */
 static void a_cross_stick_is_softer_and_brighter_than_a_stroke_of_its_speed(void **state) {
   (void)state;
   static float plain[SOUND], across[SOUND];
@@ -189,7 +192,8 @@ static void a_cross_stick_is_softer_and_brighter_than_a_stroke_of_its_speed(void
   assert_true(upper_middle(across) > upper_middle(plain) + 10.0);
 }
 
-/* ---- with all else ----------------------------------------------------------------------------- */
+/* ---- with all else -----------------------------------------------------------------------------
+ */
 
 /* Strokes of all kinds, near one another, with hands and moving parameters between them. */
 static uint32_t at_work(uint32_t frame, TaborEvent *event) {
@@ -310,7 +314,8 @@ static void sticks_fly_off_and_the_drum_falls_silent(void **state) {
   tabor_model_release(model);
 }
 
-/* Eight slots: three hands leave room for two sticks that touch in two places; released, all are gone. */
+/* Eight slots: three hands leave room for two sticks that touch in two places; released, all are
+ * gone. */
 static void a_full_pool_drops_whole_sticks(void **state) {
   (void)state;
   const TaborDrumDef def = snares_off();

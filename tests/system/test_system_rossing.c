@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The drum that [Rossing1992] measured: 14 inch wide, its heads coupled by the air between them. They give
- * the pairs of frequencies; tensions and depth are fitted here, one value for each head, to six of them. */
+/* The drum that [Rossing1992] measured: 14 inch wide, its heads coupled by the air between them.
+ * They give the pairs of frequencies; tensions and depth are fitted here, one value for each head,
+ * to six of them. */
 #include "physics.h"
 
 /* Within 5 %: the heads' masses, the shell's give and the table under the drum are not known. */
@@ -60,9 +61,9 @@ static void pairs_lie_where_they_were_measured(void **state) {
   tabor_model_release(model);
 }
 
-/* Low (0,1): the heads move together and the air between them goes along; high (0,1): they squeeze it.
- * Of (1,1) it is the other way round: against each other they make it slosh from side to side, which
- * loads them, where moving together they only hand it on. */
+/* Low (0,1): the heads move together and the air between them goes along; high (0,1): they squeeze
+ * it. Of (1,1) it is the other way round: against each other they make it slosh from side to side,
+ * which loads them, where moving together they only hand it on. */
 static void heads_move_as_they_were_seen_to(void **state) {
   (void)state;
   const TaborDrumDef def = measured_drum();

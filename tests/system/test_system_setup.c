@@ -1,16 +1,18 @@
 /* SPDX-License-Identifier: MIT */
-/* Set-up is bounded for whatever a definition may ask: distant microphones, small and large heads, slow air.
+/* Set-up is bounded for whatever a definition may ask: distant microphones, small and large heads,
+ * slow air.
  *
- * Values of Bessel functions are counted, not seconds: they are what the air's integrals are made of, and their number is the
- * same on every machine. The linker routes the engine's calls through the counters (CMakeLists.txt).
+ * Values of Bessel functions are counted, not seconds: they are what the air's integrals are made
+ * of, and their number is the same on every machine. The linker routes the engine's calls through
+ * the counters (CMakeLists.txt).
  *
  * usage: test_system_setup [brief]: distant microphones above the largest head alone. */
 #include "math/bessel.h"
 #include "math/bessel_table.h"
 #include "physics.h"
 
-/* Work for one model over that for the drum that a player meets: 32 is the most here. With integrals growing with
- * the distance the first of these took a thousand times as much. */
+/* Work for one model over that for the drum that a player meets: 32 is the most here. With
+ * integrals growing with the distance the first of these took a thousand times as much. */
 static const double BOUND = 100.0;
 
 static bool brief;

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The modern drums do what real ones do: snares sound, rattle and choke, strokes colour, sticks let go.
- * All at live quality; with the argument "brief", for slow builds, with four wires and fewer modes. */
+/* The modern drums do what real ones do: snares sound, rattle and choke, strokes colour, sticks let
+ * go. All at live quality; with the argument "brief", for slow builds, with four wires and fewer
+ * modes. */
 #include "physics.h"
 
 static const double PI = 3.14159265358979323846;
@@ -53,11 +54,12 @@ static Take *play(const TaborDrumDef *def, TaborEvent first, const TaborEvent *l
   return &take;
 }
 
-/* What a force sensor tells from nothing: a stick that parts from a head that follows it hangs on to it for some
- * tenths of a millisecond by thousandths of its force. */
+/* What a force sensor tells from nothing: a stick that parts from a head that follows it hangs on
+ * to it for some tenths of a millisecond by thousandths of its force. */
 static const double SENSED = 0.01; /* of the largest force */
 
-/* The same sample by sample, with the centre's height and how long the stick's first touch is sensed. */
+/* The same sample by sample, with the centre's height and how long the stick's first touch is
+ * sensed. */
 static Take *watch(const TaborDrumDef *def, TaborEvent first, double seconds) {
   static Take take;
   TaborModel *model = physics_model(def, RATE, TABOR_QUALITY_LIVE);
@@ -220,8 +222,8 @@ static void snare_drums_have_seven_microphones(void **state) {
   }
 }
 
-/* Above 3 kHz after the first 50 ms of a medium stroke. `reference` has 17 dB more with the snares on (2.5 m/s, 35 % of
- * the radius), `live` 13. */
+/* Above 3 kHz after the first 50 ms of a medium stroke. `reference` has 17 dB more with the snares
+ * on (2.5 m/s, 35 % of the radius), `live` 13. */
 static void snares_are_heard(void **state) {
   (void)state;
   const TaborDrumDef on = drum_of("snare-14x5.5"), off = drum_of("snare-14x5.5-off");
@@ -256,8 +258,9 @@ static void slack_wires_rattle_longer(void **state) {
   assert_true(slack > 1.2 * tight);
 }
 
-/* Thrown on 0.1 s after the stroke, the snares take half of what is left of the sound within another 0.2 s, where heads would
- * go on ringing: without felt, and with losses that leave the sound to the snares. */
+/* Thrown on 0.1 s after the stroke, the snares take half of what is left of the sound within
+ * another 0.2 s, where heads would go on ringing: without felt, and with losses that leave the
+ * sound to the snares. */
 static void closing_the_strainer_chokes_the_drum(void **state) {
   (void)state;
   TaborDrumDef def = drum_of("snare-14x5.5-off");
@@ -282,9 +285,10 @@ static double mean_colour(const TaborDrumDef *def, double velocity) {
   return sum / 3.0;
 }
 
-/* Recorded snare drums grow no brighter: the centroids of five drums' first 50 ms change by +0.01 to -0.22 octaves
- * while levels rise by 10 dB (tests/reference/recorded_drums.json has their source). The heads alone keep theirs within
- * a sixth of an octave, since wood lets go after the same time at any speed; over them the snares of a soft stroke weigh more. */
+/* Recorded snare drums grow no brighter: the centroids of five drums' first 50 ms change by +0.01
+ * to -0.22 octaves while levels rise by 10 dB (tests/reference/recorded_drums.json has their
+ * source). The heads alone keep theirs within a sixth of an octave, since wood lets go after the
+ * same time at any speed; over them the snares of a soft stroke weigh more. */
 static void harder_strokes_are_no_brighter(void **state) {
   (void)state;
   static const double SPEEDS[] = {0.8, 3.0, 12.0};
@@ -303,7 +307,8 @@ static void harder_strokes_are_no_brighter(void **state) {
   assert_true(with[1] < BRIGHTER * with[0] && with[2] < BRIGHTER * with[1]);
 }
 
-/* A stroke at the edge hardly moves the round modes: the lowest has at least 6 dB less of the whole. */
+/* A stroke at the edge hardly moves the round modes: the lowest has at least 6 dB less of the
+ * whole. */
 static void centre_and_edge_differ(void **state) {
   (void)state;
   const TaborDrumDef def = drum_of("snare-14x5.5-off");
@@ -329,8 +334,8 @@ static void centre_and_edge_differ(void **state) {
   assert_true(ratio[0] - ratio[1] > 6.0);
 }
 
-/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharper than a soft one, whose pitch moves by less
- * than 10 while the other round modes, which radiate more quickly, fade. */
+/* A head of 1,500 N/m: hard strokes start 15 to 100 cents sharper than a soft one, whose pitch
+ * moves by less than 10 while the other round modes, which radiate more quickly, fade. */
 static void hard_strokes_glide(void **state) {
   (void)state;
   TaborDrumDef def = drum_of("snare-14x5.5-off");

@@ -272,7 +272,8 @@ static void assert_same_direction(TaborModel *drums, uint32_t striker, TaborTech
   free(other);
 }
 
-/* A cross-stick's tip is 180 degrees further than the stroke, so it is the one that goes too far. */
+/* A cross-stick's tip is 180 degrees further than the stroke, so it is the one that goes too far.
+ */
 static void a_state_with_any_angle_is_loaded(void **state) {
   (void)state;
   static const double ANGLES[] = {-1e300, -1e6, -999999.5, -540.0, 540.0, 999999.5, 1e6, 1e300};

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Heads that stretch: the frequency rises with amplitude as Duffing's oscillator has it, energy stays.
+/* Heads that stretch: the frequency rises with amplitude as Duffing's oscillator has it, energy
+ * stays.
  *
  * usage: test_system_stretch [brief]: one mode at one amplitude. */
 #include "physics.h"
@@ -24,7 +25,8 @@ static TaborDrumDef one_head(double stretch) {
   return def;
 }
 
-/* Frequency [rad/s] at which mode `index` alone swings with this amplitude, from its zero crossings. */
+/* Frequency [rad/s] at which mode `index` alone swings with this amplitude, from its zero
+ * crossings. */
 static double swing(const TaborModel *model, TaborDrum *drum, uint32_t index, double amplitude) {
   TbView view = tb_view(drum->state, model);
   view.now.q[index] = view.last.q[index] = amplitude;
@@ -70,7 +72,8 @@ static void one_mode_swings_like_duffings_oscillator(void **state) {
   tabor_model_release(model);
 }
 
-/* G of a lone Bessel function in vacuo: Int |grad w|^2 dA = K^2 Int w^2 dA = K^2/rho at unit mass. */
+/* G of a lone Bessel function in vacuo: Int |grad w|^2 dA = K^2 Int w^2 dA = K^2/rho at unit mass.
+ */
 static void the_gain_of_a_mode_is_its_wavenumber_squared(void **state) {
   (void)state;
   TaborDrumDef def = one_head(1e6);
@@ -87,7 +90,8 @@ static void the_gain_of_a_mode_is_its_wavenumber_squared(void **state) {
   tabor_model_release(model);
 }
 
-/* q^T G q is Int |grad w|^2 dA, here by quadrature over the head, of a motion of a few modes of a pair of heads. */
+/* q^T G q is Int |grad w|^2 dA, here by quadrature over the head, of a motion of a few modes of a
+ * pair of heads. */
 static double slope_integral(const TaborModel *model, uint32_t which, const double *q) {
   enum { RADII = 400, ANGLES = 48 };
   const double radius = model->body.radius, step = 1e-5 * radius;
@@ -174,9 +178,9 @@ static void a_struck_drum_that_stretches_keeps_its_energy(void **state) {
   tabor_model_release(model);
 }
 
-/* Live stops the contact solve early and moves the forces to an exact balance: along the response of the
- * last forces, which a stretch that changes from sample to sample makes another. Hard strokes one upon the
- * other at a low rate, where it changes most. */
+/* Live stops the contact solve early and moves the forces to an exact balance: along the response
+ * of the last forces, which a stretch that changes from sample to sample makes another. Hard
+ * strokes one upon the other at a low rate, where it changes most. */
 static void an_early_end_of_the_solve_knows_the_stretch(void **state) {
   (void)state;
   TaborDrumDef def = one_head(1e6);
@@ -194,12 +198,14 @@ static void an_early_end_of_the_solve_knows_the_stretch(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- enough modes ------------------------------------------------------------------------------- */
+/* ---- enough modes -------------------------------------------------------------------------------
+ */
 
 #define SOUND_RATE 48000.0
 enum { SOUND = 9600, EARLY = 2400, BANDS = 14 };
 
-/* |sum_i x_i exp(-2 pi j f i/rate)|^2 by the recurrence s_i = x_i + 2 cos(2 pi f/rate) s_(i-1) - s_(i-2) [Goertzel]. */
+/* |sum_i x_i exp(-2 pi j f i/rate)|^2 by the recurrence s_i = x_i + 2 cos(2 pi f/rate) s_(i-1) -
+ * s_(i-2) [Goertzel]. */
 static double line_power(const double *x, uint32_t count, double frequency) {
   const double twice = 2.0 * cos(2.0 * PI * frequency / SOUND_RATE);
   double s = 0.0, before = 0.0;
@@ -303,8 +309,9 @@ static void compare_whole(const char *preset) {
   tabor_model_release(whole);
 }
 
-/* Twice as many modes and the whole matrix change a sound by less than 1.5 dB at live; so few modes as up to 24 times the
- * lowest frequency, which the same measure must find, by more, and so does the diagonal of the matrix alone. */
+/* Twice as many modes and the whole matrix change a sound by less than 1.5 dB at live; so few modes
+ * as up to 24 times the lowest frequency, which the same measure must find, by more, and so does
+ * the diagonal of the matrix alone. */
 static void enough_modes_stretch(void **state) {
   (void)state;
   static const char *const presets[] = {"bass-drum-22", "floor-tom-16", "tom-12", "timpani-26",
@@ -383,7 +390,8 @@ static double power(const float *x, const float *less) {
 }
 
 /* Where the tension's rise falls below a part e, with a rate of 2 sigma, the phase at f is late by
- * pi f e/(2 sigma) in all: 0.01 at 300 Hz for e = 1e-4, twice what is let go, and a decay by 60 dB in 1.2 s. */
+ * pi f e/(2 sigma) in all: 0.01 at 300 Hz for e = 1e-4, twice what is let go, and a decay by 60 dB
+ * in 1.2 s. */
 static void a_drum_that_has_died_away_is_linear(void **state) {
   (void)state;
   static const char *const presets[] = {"tom-12", "snare-14x5.5-off"};
@@ -410,7 +418,8 @@ static void a_drum_that_has_died_away_is_linear(void **state) {
   }
 }
 
-/* Sound from outside, on the lowest mode: first so faint that the drum is linear, then of this pressure [Pa]. */
+/* Sound from outside, on the lowest mode: first so faint that the drum is linear, then of this
+ * pressure [Pa]. */
 static void drive_linear_head(const char *preset, double pressure) {
   enum { FAINT = 24000, ALL = 48000 };
   static float air[ALL], sound[2][ALL];

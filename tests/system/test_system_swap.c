@@ -31,9 +31,9 @@ static TaborSwap *exchange(TaborDrum *drum, TaborModel *from, TaborModel *to) {
   return swap;
 }
 
-/* Phase and action are kept per mode, so the energy follows the frequencies: it swings by sqrt(1.1) at
- * most and comes back, but for the modes that only one of the models keeps. Carrying displacements over
- * multiplied it by 2e9 in this second. */
+/* Phase and action are kept per mode, so the energy follows the frequencies: it swings by sqrt(1.1)
+ * at most and comes back, but for the modes that only one of the models keeps. Carrying
+ * displacements over multiplied it by 2e9 in this second. */
 static void a_tension_toggled_by_ten_per_cent_pumps_no_energy(void **state) {
   (void)state;
   for (int head = 0; head < 2; head++) {
@@ -68,8 +68,8 @@ static void a_tension_toggled_by_ten_per_cent_pumps_no_energy(void **state) {
   }
 }
 
-/* Studio steps twice per sample at 48 kHz, live once: place, velocity and energy of the modes go on, there and back.
- * What little changes is the wood's last contact and rounding. */
+/* Studio steps twice per sample at 48 kHz, live once: place, velocity and energy of the modes go
+ * on, there and back. What little changes is the wood's last contact and rounding. */
 static void steps_half_as_long_keep_the_motion(void **state) {
   (void)state;
   const TaborDrumDef def = two_heads();
@@ -109,8 +109,8 @@ static void steps_half_as_long_keep_the_motion(void **state) {
 }
 
 /* Made for another model, it cannot act: the drum stays as it is, and the swap may be freed. */
-/* Modes count their angles from the drum's own stroke: with another one a head keeps its motion, whose copies turn. Off the centre
- * and beside the stroke all copies move. */
+/* Modes count their angles from the drum's own stroke: with another one a head keeps its motion,
+ * whose copies turn. Off the centre and beside the stroke all copies move. */
 static void another_own_stroke_keeps_the_motion(void **state) {
   (void)state;
   TaborDrumDef def = two_heads(), other;
@@ -178,7 +178,8 @@ static void a_swap_for_another_model_is_dropped_and_done(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- drums that do not continue each other ---------------------------------------------------- */
+/* ---- drums that do not continue each other ----------------------------------------------------
+ */
 
 enum { FADE = 1440 }; /* 30 ms, as the engine has it */
 
@@ -300,7 +301,8 @@ static void the_oldest_of_many_fades_ends(void **state) {
   for (int i = 0; i <= CHANGES; i++) tabor_model_release(models[i]);
 }
 
-/* ---- the same drum on another model ----------------------------------------------------------- */
+/* ---- the same drum on another model -----------------------------------------------------------
+ */
 
 /* 8 ms of the former model alone, struck as the new one is, then 8 ms from one to the other. */
 static void the_former_model_gives_way_to_the_new_one(void **state) {
@@ -351,7 +353,8 @@ static void the_former_model_gives_way_to_the_new_one(void **state) {
   for (int i = 0; i < 2; i++) tabor_model_release(models[i]);
 }
 
-/* A drum that could continue is at rest, with the definition's values; the old one rings out beside it. */
+/* A drum that could continue is at rest, with the definition's values; the old one rings out beside
+ * it. */
 static void a_replaced_drum_begins_anew(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("frame-drum");

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* Random drums and random playing: nothing is ever not finite, and the numerics never create energy.
+/* Random drums and random playing: nothing is ever not finite, and the numerics never create
+ * energy.
  *
- * usage: test_system_trials [DEFINITIONS [SEQUENCES [exact]]], 50 and 400 by default; exact: contacts in double
- * throughout, where nothing above 1e-9 may be created. */
+ * usage: test_system_trials [DEFINITIONS [SEQUENCES [exact]]], 50 and 400 by default; exact:
+ * contacts in double throughout, where nothing above 1e-9 may be created. */
 #include "physics.h"
 
 static uint32_t definitions = 50, sequences = 400;
@@ -14,14 +15,15 @@ static double put_in;     /* the most that was so far: what hands put in they ta
 static bool all_exact;    /* as asked for; */
 static bool exact;        /* contacts are solved in double, whatever is drawn */
 static bool hands = true; /* sticks are held, too */
+static bool plates;       /* definitions are of plates */
 
-/* The residual may not fall below physics_residual() of what was put in, give or take rounding, where
- * parameters moved a drum that was hardly struck: their work is then a small difference of the potentials that
- * the drum fell through, of which a part may be lost. */
+/* The residual may not fall below physics_residual() of what was put in, give or take rounding,
+ * where parameters moved a drum that was hardly struck: their work is then a small difference of
+ * the potentials that the drum fell through, of which a part may be lost. */
 static const double ROUNDING = 1e-15; /* [J] at 48 kHz; the softest stroke brings 1e-6 J */
 static const double ROUNDING_OF_STORED = 1e-10, ROUNDING_IN_SINGLE = 1e-6;
-/* [J], a hundred-thousandth of the softest stroke. The account of twenty stiff wires that only rest on their head
- * trembles by some 1e-12 J and does not grow (test_singlesolve). */
+/* [J], a hundred-thousandth of the softest stroke. The account of twenty stiff wires that only rest
+ * on their head trembles by some 1e-12 J and does not grow (test_singlesolve). */
 static const double FLOOR_IN_SINGLE = 1e-11;
 
 /* A displacement rounded to a part e is pushed by m e u/k^2. */
@@ -52,8 +54,8 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 /* Keys that are drawn apart; a room takes no part in the drum. */
 static bool is_newer(const TaborParameter *p) {
   return strcmp(p->section, "room") == 0 || strcmp(p->key, "pitch") == 0 ||
-         strcmp(p->key, "bending_frequency") == 0 || strncmp(p->key, "lug_", 4) == 0 ||
-         strcmp(p->section, "hoop") == 0 ||
+         strcmp(p->section, "plate") == 0 || strcmp(p->key, "bending_frequency") == 0 ||
+         strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||
          strcmp(p->key, "pivot") == 0 || strcmp(p->key, "grip") == 0 ||
@@ -147,11 +149,29 @@ static void draw_newer(uint64_t seed, TaborDrumDef *def) {
   draw_section(seed + 9, &def->hoop);
 }
 
+static void draw_plate(uint64_t seed, TaborDrumDef *def) {
+  def->body.kind = TABOR_BODY_PLATE;
+  def->two_headed = 0;
+  def->shell.boundary = TABOR_BOUNDARY_OPEN;
+  def->wires.count = 0;
+  def->wires.head = TABOR_HEAD_BATTER;
+  def->plate = (TaborPlateDef){.thickness = draw_key(&seed, "plate.thickness"),
+                               .youngs_modulus = draw_key(&seed, "plate.youngs_modulus"),
+                               .poisson_ratio = draw_key(&seed, "plate.poisson_ratio"),
+                               .density = draw_key(&seed, "plate.density"),
+                               .damping_0 = draw_key(&seed, "plate.damping_0"),
+                               .loss = draw_key(&seed, "plate.loss"),
+                               .heave_frequency = draw_key(&seed, "plate.heave_frequency"),
+                               .tilt_frequency = draw_key(&seed, "plate.tilt_frequency"),
+                               .mount_damping = draw_key(&seed, "plate.mount_damping")};
+}
+
 static bool is(const TaborParameter *p, const char *section, const char *key) {
   return strcmp(p->section, section) == 0 && strcmp(p->key, key) == 0;
 }
 
-/* Microphones stand above, below or, where the shell has room, inside; not within 0.01 m of a head. */
+/* Microphones stand above, below or, where the shell has room, inside; not within 0.01 m of a head.
+ */
 static void place_mics(uint64_t *seed, TaborDrumDef *def) {
   if (!def->two_headed && def->shell.boundary != TABOR_BOUNDARY_CLOSED) return;
   for (uint32_t i = 0; i < def->mic_count; i++) {
@@ -236,8 +256,8 @@ static TaborEvent draw_event(uint64_t *seed, const TaborDrumDef *def) {
   return event;
 }
 
-/* What strikes or presses may be a buzz or a sweep, or move one, and what moves a parameter may move the grip: of a seed of its
- * own, as draw_lugs(). */
+/* What strikes or presses may be a buzz or a sweep, or move one, and what moves a parameter may
+ * move the grip: of a seed of its own, as draw_lugs(). */
 
 static void draw_hands(uint64_t seed, TaborEvent *event) {
   const uint64_t draw = physics_random(&seed) % 3;
@@ -368,6 +388,7 @@ static void try_definition(uint64_t *seed, bool newer, Tally *tally) {
   TaborDrumDef def;
   draw_definition(seed, &def);
   if (newer) draw_newer(name, &def);
+  if (plates) draw_plate(name, &def);
   TaborModel *model = model_of(&def, seed, name, tally);
   if (!model) return;
   TaborDrum *drum = physics_drum(model);
@@ -387,9 +408,21 @@ static void random_definitions_stay_finite_and_passive(void **state) {
   assert_true(tally.solves > 0 && tally.capped > 0);
 }
 
-/* Found among 10,000: no air but walls that absorb; a muffled, stretching head below lifted wires; a
- * microphone for which its high band was made as loud as modes that had been left out; heavy wires pressed by
- * 10 mm at a cap of 1, which the guard held still for good. */
+static void random_plates_stay_finite_and_passive(void **state) {
+  (void)state;
+  uint64_t seed = physics_seed();
+  Tally tally = {0};
+  plates = true;
+  for (uint32_t trial = 0; trial < definitions; trial++) try_definition(&seed, true, &tally);
+  plates = false;
+  report("plates", definitions, &tally);
+  assert_true(tally.refused < definitions / 3 + 1);
+  assert_true(tally.solves > 0);
+}
+
+/* Found among 10,000: no air but walls that absorb; a muffled, stretching head below lifted wires;
+ * a microphone for which its high band was made as loud as modes that had been left out; heavy
+ * wires pressed by 10 mm at a cap of 1, which the guard held still for good. */
 static void definitions_that_once_failed_stay_finite_and_passive(void **state) {
   (void)state;
   static const uint64_t SEEDS[] = {UINT64_C(0xae49c9cb8c2330d1), UINT64_C(0x608e4e4a74a3c42f),
@@ -438,7 +471,8 @@ static void random_playing_stays_finite_and_passive(void **state) {
   assert_true(tally.solves > 0 && tally.capped > 0);
 }
 
-/* A majorant step in which rows joined left forces on the coarse grid that were not those on the wires. */
+/* A majorant step in which rows joined left forces on the coarse grid that were not those on the
+ * wires. */
 static void playing_that_once_failed_stays_passive(void **state) {
   (void)state;
   TaborDrumDef def = playing_drum("marching-14x12", 2, true);
@@ -458,7 +492,8 @@ static void playing_that_once_failed_stays_passive(void **state) {
   tabor_model_release(model);
 }
 
-/* A wire as hard as 1e10 N/m^2.5 under a stroke of 30 m/s threw Newton's iteration beyond all numbers. */
+/* A wire as hard as 1e10 N/m^2.5 under a stroke of 30 m/s threw Newton's iteration beyond all
+ * numbers. */
 static void stiff_wires_never_lose_a_drum(void **state) {
   (void)state;
   static const double STIFFNESS[] = {1e9, 1e10, 1e13};
@@ -489,6 +524,7 @@ int main(int argc, char **argv) {
   all_exact = argc > 3 && strcmp(argv[3], "exact") == 0;
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(random_definitions_stay_finite_and_passive),
+    cmocka_unit_test(random_plates_stay_finite_and_passive),
     cmocka_unit_test(definitions_that_once_failed_stay_finite_and_passive),
     cmocka_unit_test(random_playing_stays_finite_and_passive),
     cmocka_unit_test(playing_that_once_failed_stays_passive),

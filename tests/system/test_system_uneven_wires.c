@@ -113,7 +113,8 @@ static void thrown_off_all_wires_hang_clear(void **state) {
   }
 }
 
-/* Strokes of the same drum with wires on, thrown off by the lever: silent wires, which are lifted in the end. */
+/* Strokes of the same drum with wires on, thrown off by the lever: silent wires, which are lifted
+ * in the end. */
 static void thrown_off_wires_are_silent(void **state) {
   (void)state;
   TaborDrumDef def = uneven(3.0);
@@ -145,7 +146,8 @@ static void render(const TaborDrumDef *def, uint32_t quality, float *samples) {
   tabor_model_release(model);
 }
 
-/* Limiting case: without unevenness every bit is that of even wires. Another seed sounds different. */
+/* Limiting case: without unevenness every bit is that of even wires. Another seed sounds different.
+ */
 static void without_unevenness_nothing_changes(void **state) {
   (void)state;
   static float heard[4][BLOCKS * BLOCK];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* How much work a sample is, counted: elements that the kernels (kernels.h) pass through, whatever the machine.
- * It has a bound that no playing can exceed, and playing stays far below it. */
+/* How much work a sample is, counted: elements that the kernels (kernels.h) pass through, whatever
+ * the machine. It has a bound that no playing can exceed, and playing stays far below it. */
 #include "drum/drum.h"
 #include "kernels/contact_law.h"
 #include "kernels/kernels.h"
@@ -11,7 +11,8 @@ static uint64_t work;     /* multiplications, or passes through an element */
 static uint64_t products; /* with the heads' compliance: one expands the bed each */
 static uint64_t laws;     /* elements whose contact law was evaluated */
 
-/* ---- kernels that count ------------------------------------------------------------------------- */
+/* ---- kernels that count -------------------------------------------------------------------------
+ */
 
 static uint64_t modes_of(const TbParts *parts) {
   uint64_t sum = 0;
@@ -45,7 +46,8 @@ static void every_kernel_is_counted(void **state) {
   assert_whole(&counting_floats, sizeof counting_floats);
 }
 
-/* ---- playing ------------------------------------------------------------------------------------ */
+/* ---- playing ------------------------------------------------------------------------------------
+ */
 
 typedef struct Counts {
   uint64_t work, products, laws;
@@ -81,14 +83,15 @@ static uint64_t most_products(const TaborModel *model) {
   return newton + 1u + newton + 2u + 2u * (32u + 2u) + 2u;
 }
 
-/* Before each step, at its end and after a balance that came to nothing; a balance takes 8, or 4 in single
- * precision. */
+/* Before each step, at its end and after a balance that came to nothing; a balance takes 8, or 4 in
+ * single precision. */
 static uint64_t most_laws(const TaborModel *model) {
   const uint64_t steps = model->newton_cap + 1u;
   return model->wires.stride * (1u + steps * (2u + 4u) + steps * (2u + 8u) + 1u + 8u);
 }
 
-/* All the strikers that a drum holds land at once, where one sees the head everywhere, and hands press. */
+/* All the strikers that a drum holds land at once, where one sees the head everywhere, and hands
+ * press. */
 static uint32_t everything_at_once(const TaborDrumDef *def, double velocity, TaborEvent *events) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     events[i] = physics_strike(def);
@@ -153,7 +156,8 @@ static void remedies_keep_the_bound(void **state) {
   assert_true(statistics.newton_capped > 0);
 }
 
-/* ---- evenness ----------------------------------------------------------------------------------- */
+/* ---- evenness -----------------------------------------------------------------------------------
+ */
 
 #define BLOCKS 375u
 
@@ -162,7 +166,8 @@ static int compare_counts(const void *left, const void *right) {
   return (a > b) - (a < b);
 }
 
-/* The work of blocks of 64 samples, sorted, of a roll of a stroke each eighth of a second, every second one soft. */
+/* The work of blocks of 64 samples, sorted, of a roll of a stroke each eighth of a second, every
+ * second one soft. */
 static void play_roll(double soft, uint64_t blocks[BLOCKS]) {
   TaborDrumDef def = physics_preset("snare-14x5.5");
   TaborModel *model = counting_model(&def);
@@ -181,8 +186,9 @@ static void play_roll(double soft, uint64_t blocks[BLOCKS]) {
   tabor_model_release(model);
 }
 
-/* No block is 1.6 times the median's work in a loud roll, of a loud roll or of one with soft strokes between, where heads move as
- * linear ones: that saves a third of most blocks, but nothing of the worst. */
+/* No block is 1.6 times the median's work in a loud roll, of a loud roll or of one with soft
+ * strokes between, where heads move as linear ones: that saves a third of most blocks, but nothing
+ * of the worst. */
 static void a_roll_is_even(void **state) {
   (void)state;
   uint64_t loud[BLOCKS], mixed[BLOCKS];
@@ -204,8 +210,8 @@ static uint64_t work_of(TaborDrum *drum, const TaborEvent *stroke, uint32_t samp
   return work;
 }
 
-/* A tenth of a second that cannot be heard any more costs less than 1.5 times the stroke's first one. Near a drum's rest
- * its contacts change by rounding alone, which no iteration mends. */
+/* A tenth of a second that cannot be heard any more costs less than 1.5 times the stroke's first
+ * one. Near a drum's rest its contacts change by rounding alone, which no iteration mends. */
 static void dies_away_at_low_cost(const char *preset) {
   const TaborDrumDef def = physics_preset(preset);
   TaborModel *model = counting_model(&def);
@@ -233,7 +239,8 @@ static void a_tail_costs_about_as_much_as_its_stroke(void **state) {
   for (size_t i = 0; i < sizeof presets / sizeof *presets; i++) dies_away_at_low_cost(presets[i]);
 }
 
-/* What a brush that is drawn along adds to a drum that is played: its own contacts, less those of wires that it calms. */
+/* What a brush that is drawn along adds to a drum that is played: its own contacts, less those of
+ * wires that it calms. */
 static void a_sweep_is_half_a_drum_at_most(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("snare-14x5.5");
@@ -307,7 +314,8 @@ static void automation_costs_little(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- floods ------------------------------------------------------------------------------------- */
+/* ---- floods -------------------------------------------------------------------------------------
+ */
 
 enum { FLOOD = 1000, BLOCK = 64 };
 
@@ -338,8 +346,8 @@ static void flood_with(const TaborDrumDef *def, uint32_t type, uint32_t techniqu
   }
 }
 
-/* A thousand events in a block of 64 samples are at most eight times the work of one stroke; what was not carried
- * out was counted. */
+/* A thousand events in a block of 64 samples are at most eight times the work of one stroke; what
+ * was not carried out was counted. */
 static void a_flood_of_events_is_bounded(void **state) {
   (void)state;
   static const struct {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* room-response KIND SECONDS: what the microphones left and right hear of a room at 48 kHz when the drum is an
- * impulse at the left feed, as pairs of floats on standard output. For tools/docs/room-picture. */
+/* room-response KIND SECONDS: what the microphones left and right hear of a room at 48 kHz when the
+ * drum is an impulse at the left feed, as pairs of floats on standard output. For
+ * tools/docs/room-picture. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <tabor/tabor.h>

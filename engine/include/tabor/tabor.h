@@ -160,8 +160,8 @@ typedef enum TaborTechnique {
    * the hoop at the stroke's angle. */
   TABOR_TECHNIQUE_RIMSHOT,
   /** The tip rests on the head under the palm, and the shaft strikes the hoop on the opposite side
-   * with the stroke's speed. The hand presses it there, and takes it away after 0.3 s, at a release,
-   * or with the next cross-stick. */
+   * with the stroke's speed. The hand presses it there, and takes it away after 0.3 s, at a
+   * release, or with the next cross-stick. */
   TABOR_TECHNIQUE_CROSS_STICK,
   /** The stick strikes only the hoop, at the stroke's angle. */
   TABOR_TECHNIQUE_RIM,
@@ -183,11 +183,11 @@ typedef struct TaborBodyDef {
 } TaborBodyDef;
 
 /**
- * A plate, of uniform thickness; its radius is that of [shell]. Of [batter] it has the damper and the ring. It has no wires,
- * no resonant head and no hoop: strokes on the hoop meet the plate. A thin plate, linear [Leissa1969]:
- * D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 - nu^2)).
- * The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what it radiates. Air is on both
- * sides.
+ * A plate, of uniform thickness; its radius is that of [shell]. Of [batter] it has the damper and
+ * the ring. It has no wires, no resonant head and no hoop: strokes on the hoop meet the plate. A
+ * thin plate, linear [Leissa1969]: D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 -
+ * nu^2)). The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what
+ * it radiates. Air is on both sides.
  */
 typedef struct TaborPlateDef {
   double thickness;       /**< h [m], 1e-4 to 0.02, default 0.001 */
@@ -205,15 +205,16 @@ typedef struct TaborPlateDef {
 typedef struct TaborShellDef {
   double radius; /**< radius of every head [m], 0.05 to 0.60, default 0.1651 (13 inch) */
   /** Depth of the air below the batter head, down to the resonant head or to the bottom of a closed
-   * drum [m], 0.01 to 1.5, default 0.14; of a single open or baffled head, the height of a shell that
-   * moves. */
+   * drum [m], 0.01 to 1.5, default 0.14; of a single open or baffled head, the height of a shell
+   * that moves. */
   double depth;
   uint32_t boundary; /**< a TaborBoundary, default open; a two-headed drum needs open */
-  /** Part of the enclosed sound that a porous lining of the wall between two heads absorbs where the lining is thicker
-   * than a quarter of a wavelength; half of it at 400 Hz: bare wood 0.05, a pillow 0.25. 0 to 1, default 0. */
+  /** Part of the enclosed sound that a porous lining of the wall between two heads absorbs where
+   * the lining is thicker than a quarter of a wavelength; half of it at 400 Hz: bare wood 0.05, a
+   * pillow 0.25. 0 to 1, default 0. */
   double absorption;
-  /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of plywood). The
-   * lighter the wall, the more of the enclosed sound it lets through. */
+  /** Mass of the wall between two heads per area [kg/m2], 0.1 to 1000, default 4.2 (6 mm of
+   * plywood). The lighter the wall, the more of the enclosed sound it lets through. */
   double surface_density;
   /** Mass of the shell with lugs and the lower hoop [kg], 0.05 to 100, or 0: it does not move, nor
    * does the heads' edge. Default 0. */
@@ -234,19 +235,19 @@ typedef struct TaborShellDef {
  * (sigma0 + sigma_k K + sigma1 K^2)/2 [1/s]. Without bending stiffness the mode has
  * omega = c K, c = sqrt(T/rho), so sigma_k alone gives all modes the loss factor 1/Q = sigma_k/c.
  * Large deflections raise the tension: dT = S/(2 A) Int |grad w|^2 dA, A the head's area
- * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head, and so may a ring of
- * felt, which exerts -c w_t/A per area on what it covers, of area A.
- * Where two defaults are given, the first is for the batter head, the second for the resonant
- * head.
+ * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head, and
+ * so may a ring of felt, which exerts -c w_t/A per area on what it covers, of area A. Where two
+ * defaults are given, the first is for the batter head, the second for the resonant head.
  *
  * Lugs tension the head around its rim. Lug j of n is at (j - 1/2) 360/n degrees. If their
  * tensions differ, pairs of the lower modes split into two frequencies and beat.
  */
 typedef struct TaborHeadDef {
   double tension; /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
-  /** What a tuner reads at a lug [Hz]: the frequency of this head's lowest mode with one nodal diameter, (1,1),
-   * in air, with even lugs and the other head held still; 1 to 20,000. It takes precedence over `tension`, and
-   * tabor_drum_def_tune() turns it into one. 0, the default: as `tension` says. */
+  /** What a tuner reads at a lug [Hz]: the frequency of this head's lowest mode with one nodal
+   * diameter, (1,1), in air, with even lugs and the other head held still; 1 to 20,000. It takes
+   * precedence over `tension`, and tabor_drum_def_tune() turns it into one. 0, the default: as
+   * `tension` says. */
   double pitch;
   double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 and 0.105 */
   double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 and 1.5e-4 */
@@ -260,13 +261,13 @@ typedef struct TaborHeadDef {
   double muffle_angle;    /**< the damper's direction [deg], -360 to 360, default 0 */
   double muffle_strength; /**< the damper's c [N s/m], 0 (none) to 30, default 0 */
   double ring_radius;     /**< of the middle of the felt ring [m], 0 to 0.6, default 0.1 */
-  /** The felt ring's width [m], 0.001 to 1.2, default 0.03. Its outer edge lies on the head; one that would reach
-   * beyond the centre is a disc. */
+  /** The felt ring's width [m], 0.001 to 1.2, default 0.03. Its outer edge lies on the head; one
+   * that would reach beyond the centre is a disc. */
   double ring_width;
   double ring_strength; /**< the whole ring's c [N s/m], 0 (none) to 30, default 0 */
-  /** Relative deviation of the mass per area from place to place, root mean square over patches of some 3 cm, 0 to
-   * 0.3, default 0.12. It scatters waves above the two-way bandwidth, so that the treble is noise instead of lines; 0:
-   * none. `lug_seed` draws it, too. */
+  /** Relative deviation of the mass per area from place to place, root mean square over patches of
+   * some 3 cm, 0 to 0.3, default 0.12. It scatters waves above the two-way bandwidth, so that the
+   * treble is noise instead of lines; 0: none. `lug_seed` draws it, too. */
   double unevenness;
   uint32_t lug_count; /**< 3 to 16, default 10 */
   /** Largest relative deviation of the tension at a lug, 0 to 0.5, default 0. The deviations are
@@ -293,9 +294,10 @@ typedef struct TaborWiresDef {
   double offset;  /**< of their middle from the centre, across [m], -0.6 to 0.6, default 0 */
   double mass_per_length; /**< mu [kg/m], 1e-4 to 0.1, default 1.6e-3 */
   double tension;         /**< T [N], 0.01 to 200, default 5 */
-  /** The tension of the head that carries the wires at which `tension` holds [N/m], 0 to 20000, default 0. If
-   * that head is tighter or slacker, the wires are so, too, in proportion, within the range of `tension`, so
-   * that their pitch keeps its distance from the head's. 0: their tension does not follow. */
+  /** The tension of the head that carries the wires at which `tension` holds [N/m], 0 to 20000,
+   * default 0. If that head is tighter or slacker, the wires are so, too, in proportion, within the
+   * range of `tension`, so that their pitch keeps its distance from the head's. 0: their tension
+   * does not follow. */
   double head_tension;
   double tension_spread; /**< largest relative deviation between wires, 0 to 0.9, default 0 */
   /** Seed of these deviations, and of how uneven wires lie, 0 to 4294967295, default 1. */
@@ -309,17 +311,18 @@ typedef struct TaborWiresDef {
    * default 0. */
   double rest_offset;
   /** How unevenly the wires lie [m], 0 to 0.001, default 0. Offsets that are evenly spaced from
-   * -rest_spread to rest_spread, times the unevenness, are added to `rest_offset`, to each wire another
-   * one, in an order drawn from the seed. A single wire gets 0. */
+   * -rest_spread to rest_spread, times the unevenness, are added to `rest_offset`, to each wire
+   * another one, in an order drawn from the seed. A single wire gets 0. */
   double rest_spread;
-  /** How far the wires are bent along their length: root mean square of the height over a straight wire
-   * [m], 0 to 0.001, times the unevenness, default 0. The bends are drawn from the seed. */
+  /** How far the wires are bent along their length: root mean square of the height over a straight
+   * wire [m], 0 to 0.001, times the unevenness, default 0. The bends are drawn from the seed. */
   double bend_height;
   /** Length L of these bends [m], 0.005 to 1, default 0.02: the heights at two places a distance d
    * apart have the correlation exp(-d^2/(2 L^2)). */
   double bend_length;
   /** Factor of `rest_spread` and `bend_height`, 0 (even and straight) to 3, default 1. The strainer
-   * lifts uneven wires further, so that the lowest point of all comes as far off as if they were even. */
+   * lifts uneven wires further, so that the lowest point of all comes as far off as if they were
+   * even. */
   double unevenness;
   double contact_stiffness; /**< K [N/m^(exponent+1) per length], 1e4 to 1e13, default 1e8 */
   double contact_exponent;  /**< 1 to 3, default 1.5 */
@@ -381,9 +384,9 @@ typedef struct TaborHandDef {
 } TaborHandDef;
 
 /**
- * The hoop around the batter head. Rimshots, cross-sticks and strokes on the rim strike it. It bends as
- * a ring, and rods, lugs and the head's collar tie it to the shell. It is heard by what it does to
- * shell and heads: on a shell that does not move, strokes on it make no sound of their own.
+ * The hoop around the batter head. Rimshots, cross-sticks and strokes on the rim strike it. It
+ * bends as a ring, and rods, lugs and the head's collar tie it to the shell. It is heard by what it
+ * does to shell and heads: on a shell that does not move, strokes on it make no sound of their own.
  */
 typedef struct TaborHoopDef {
   double height; /**< of its edge above the head [m], 0 to 0.05, default 0.012 */
@@ -400,10 +403,11 @@ typedef struct TaborHoopDef {
   double tie_frequency;
   double tie_loss; /**< loss factor of rods and collar, 0 to 1, default 0.06 */
   double width; /**< seen from above, which its own sound depends on [m], 0 to 0.05, default 0.01 */
-  /** Height of its section, which leans outwards and inwards as the hoop bends, and so sounds [m], 0 to 0.1, default 0.028. */
+  /** Height of its section, which leans outwards and inwards as the hoop bends, and so sounds [m],
+   * 0 to 0.1, default 0.028. */
   double wall;
-  /** Torsional over bending stiffness of its section, 0.001 to 10, default 1, that of a rod. The easier a section turns,
-   * the more its wall leans. */
+  /** Torsional over bending stiffness of its section, 0.001 to 10, default 1, that of a rod. The
+   * easier a section turns, the more its wall leans. */
   double torsion;
 } TaborHoopDef;
 
@@ -416,8 +420,8 @@ typedef struct TaborStrikeDef {
   uint32_t technique;            /**< a TaborTechnique, default normal; sweep needs a brush */
 } TaborStrikeDef;
 
-/** Frequency response of a microphone, without latency and 0 dB at 1 kHz. Each but flat is typical of its kind
- * (engine/src/model/mic_response.c has the curves). */
+/** Frequency response of a microphone, without latency and 0 dB at 1 kHz. Each but flat is typical
+ * of its kind (engine/src/model/mic_response.c has the curves). */
 typedef enum TaborMicResponse {
   TABOR_RESPONSE_FLAT,    /**< the sound pressure itself */
   TABOR_RESPONSE_DYNAMIC, /**< a cardioid dynamic microphone, as is put close to a snare drum */
@@ -465,16 +469,17 @@ typedef enum TaborRoomKind {
 } TaborRoomKind;
 
 /**
- * The room around a drum, for tabor_room_create(); the drum itself is computed in free air. "0 = by kind", the
- * default, takes the kind's own value.
+ * The room around a drum, for tabor_room_create(); the drum itself is computed in free air. "0 = by
+ * kind", the default, takes the kind's own value.
  */
 typedef struct TaborRoomDef {
   uint32_t kind; /**< a TaborRoomKind, default none */
-  /** Length [m], 0 = by kind, or 1 to 100; width and height are in proportion as the kind has them. */
+  /** Length [m], 0 = by kind, or 1 to 100; width and height are in proportion as the kind has them.
+   */
   double size;
   double decay; /**< 60 dB decay time of low notes [s], 0 = by kind, or 0.05 to 20 */
-  /** 60 dB decay time at 8 kHz as a part of `decay`, 0 = by kind, or 0.25 to 1. The loss that comes on top rises
-   * with the square of the frequency. */
+  /** 60 dB decay time at 8 kHz as a part of `decay`, 0 = by kind, or 0.25 to 1. The loss that comes
+   * on top rises with the square of the frequency. */
   double tilt;
   double
     level; /**< factor on what the room adds, 0 to 10, default 1: as loud as in a diffuse field */
@@ -482,17 +487,17 @@ typedef struct TaborRoomDef {
 
 /** A whole drum. Plain data: copy it by assignment. */
 typedef struct TaborDrumDef {
-  uint32_t struct_size;          /**< set by tabor_drum_def_default() */
-  char name[TABOR_NAME_SIZE];    /**< name of the drum */
-  char comment[TABOR_TEXT_SIZE]; /**< description, one line */
-  char license[TABOR_NAME_SIZE]; /**< licence of the definition */
-  char category
-    [TABOR_NAME_SIZE];   /**< kind of drum, for lists: letters, digits, '-' and '_', or empty */
-  TaborShellDef shell;   /**< [shell] of a preset */
-  TaborHeadDef batter;   /**< [batter], the struck head */
-  uint32_t two_headed;   /**< 1 with a resonant head, 0 without, default 0 */
-  TaborHeadDef resonant; /**< [resonant]; without effect and keys unless two_headed is 1 */
-  TaborWiresDef wires;   /**< [wires] */
+  uint32_t struct_size;           /**< set by tabor_drum_def_default() */
+  char name[TABOR_NAME_SIZE];     /**< name of the drum */
+  char comment[TABOR_TEXT_SIZE];  /**< description, one line */
+  char license[TABOR_NAME_SIZE];  /**< licence of the definition */
+  char category[TABOR_NAME_SIZE]; /**< kind of drum, for lists: letters, digits, '-' and '_', or
+                                     empty */
+  TaborShellDef shell;            /**< [shell] of a preset */
+  TaborHeadDef batter;            /**< [batter], the struck head */
+  uint32_t two_headed;            /**< 1 with a resonant head, 0 without, default 0 */
+  TaborHeadDef resonant;          /**< [resonant]; without effect and keys unless two_headed is 1 */
+  TaborWiresDef wires;            /**< [wires] */
   TaborWireDef wire[TABOR_MAX_WIRES];          /**< wire[n - 1] is [wire.n] */
   uint32_t striker_count;                      /**< strikers defined, 1 to 8 */
   TaborStrikerDef striker[TABOR_MAX_STRIKERS]; /**< [striker.NAME]; the first is the default */
@@ -581,12 +586,13 @@ TABOR_API void tabor_drum_def_clear(TaborDrumDef *def);
 TABOR_API TaborStatus tabor_drum_def_preset(TaborDrumDef *def, const char *name, TaborError *error);
 /**
  * Sets one parameter from text, for example the key "batter.tension" to "3000". Numbers are read
- * independently of the locale. A pitch may be a note, as "A3", "F#3" or "Eb2+30" (30 cents sharp), A4 = 440 Hz;
- * of tension and pitch of a head the one that is set later counts. A new NAME in "striker.NAME.mass" or "mic.NAME.gain" adds that
- * striker or microphone, and any "resonant." key makes a one-headed drum two-headed; the other
- * fields of what is added get their defaults. On an error @p def is unchanged: TABOR_ERROR_KEY
- * (the message suggests a similar key if there is one), TABOR_ERROR_VALUE, TABOR_ERROR_RANGE,
- * TABOR_ERROR_FULL. Rules that involve several fields are checked by tabor_drum_def_validate().
+ * independently of the locale. A pitch may be a note, as "A3", "F#3" or "Eb2+30" (30 cents sharp),
+ * A4 = 440 Hz; of tension and pitch of a head the one that is set later counts. A new NAME in
+ * "striker.NAME.mass" or "mic.NAME.gain" adds that striker or microphone, and any "resonant." key
+ * makes a one-headed drum two-headed; the other fields of what is added get their defaults. On an
+ * error @p def is unchanged: TABOR_ERROR_KEY (the message suggests a similar key if there is one),
+ * TABOR_ERROR_VALUE, TABOR_ERROR_RANGE, TABOR_ERROR_FULL. Rules that involve several fields are
+ * checked by tabor_drum_def_validate().
  */
 TABOR_API TaborStatus tabor_drum_def_set(TaborDrumDef *def, const char *key, const char *value,
                                          TaborError *error);
@@ -620,18 +626,19 @@ TABOR_API bool tabor_drum_def_key(const TaborDrumDef *def, uint32_t index, char 
  */
 TABOR_API TaborStatus tabor_drum_def_validate(const TaborDrumDef *def, TaborError *error);
 /**
- * Checks @p def like tabor_drum_def_validate() and replaces pitches by tensions: each head with a pitch
- * gets the tension that gives it, rounded to 0.01 N/m, and the pitch 0. A pitch depends on radius, depth,
- * boundary and air, and on the head's other values, so call this when all of them are set;
- * tabor_model_create() does. On an error @p def is unchanged: those of tabor_drum_def_validate(),
- * TABOR_ERROR_RANGE if no tension of the allowed range gives the pitch (minimum and maximum of @p error are then
- * those of the pitches that the head can have), TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. Takes some
- * hundredths of a second if there is a pitch. A plate has no heads, and stays as it is.
+ * Checks @p def like tabor_drum_def_validate() and replaces pitches by tensions: each head with a
+ * pitch gets the tension that gives it, rounded to 0.01 N/m, and the pitch 0. A pitch depends on
+ * radius, depth, boundary and air, and on the head's other values, so call this when all of them
+ * are set; tabor_model_create() does. On an error @p def is unchanged: those of
+ * tabor_drum_def_validate(), TABOR_ERROR_RANGE if no tension of the allowed range gives the pitch
+ * (minimum and maximum of @p error are then those of the pitches that the head can have),
+ * TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. Takes some hundredths of a second if there is a pitch.
+ * A plate has no heads, and stays as it is.
  */
 TABOR_API TaborStatus tabor_drum_def_tune(TaborDrumDef *def, TaborError *error);
 /**
- * Computes the pitch [Hz] of @p head, a TaborHead, from its tension, or returns the one that is set. Errors as
- * for tabor_drum_def_tune(), and TABOR_ERROR_NAME if @p def has no such head.
+ * Computes the pitch [Hz] of @p head, a TaborHead, from its tension, or returns the one that is
+ * set. Errors as for tabor_drum_def_tune(), and TABOR_ERROR_NAME if @p def has no such head.
  */
 TABOR_API TaborStatus tabor_drum_def_pitch(const TaborDrumDef *def, uint32_t head, double *pitch,
                                            TaborError *error);
@@ -649,7 +656,8 @@ TABOR_API int tabor_drum_def_find_mic(const TaborDrumDef *def, const char *name)
 #define TABOR_TEXT_LINE 511      /**< longest line of a text, without its end [bytes] */
 #define TABOR_TEXT_WORD 127      /**< longest name of a section, and longest key [bytes] */
 
-/** A line of a text: a section begins, or a key has a value. Pointers are good until the call returns. */
+/** A line of a text: a section begins, or a key has a value. Pointers are good until the call
+ * returns. */
 typedef struct TaborTextLine {
   const char *section; /**< in which it stands, or which begins; "" before the first */
   const char *key;     /**< NULL where a section begins */
@@ -658,13 +666,16 @@ typedef struct TaborTextLine {
   uint32_t number;     /**< of the line, from 1 */
 } TaborTextLine;
 
-/** Takes a line for tabor_text_read(). Anything but TABOR_OK, with a message in @p error, ends the reading. */
+/** Takes a line for tabor_text_read(). Anything but TABOR_OK, with a message in @p error, ends the
+ * reading. */
 typedef TaborStatus TaborTextTake(void *context, const TaborTextLine *line, TaborError *error);
 
 /** What a text is for. */
 typedef enum TaborTextForm {
-  TABOR_TEXT_EDIT, /**< for people: units and descriptions as comments; of a kit's drum what its preset has otherwise */
-  TABOR_TEXT_KEEP /**< for sessions and logs: every value and no comment, the same in every version */
+  TABOR_TEXT_EDIT, /**< for people: units and descriptions as comments; of a kit's drum what its
+                      preset has otherwise */
+  TABOR_TEXT_KEEP  /**< for sessions and logs: every value and no comment, the same in every version
+                    */
 } TaborTextForm;
 
 /** @name Set-up: definitions as text
@@ -676,35 +687,41 @@ typedef enum TaborTextForm {
  *     [batter]
  *     tension = 3000   ; N/m: why
  *
- * A comment begins with ';', after a value with a blank and ';', and a line of it with '#', too. What could be a
- * mistake is refused: control characters but tabs and line ends; invalid UTF-8; lines, names of sections and keys that are
- * too long; indented lines; text behind a section's ']'; a line without '='; sections, and keys of a section, that occur
- * twice; and a last line without a line end, since a text that was cut off there would give another number. A key that stands
- * before the first section has to be a full one, as `batter.tension`. */
+ * A comment begins with ';', after a value with a blank and ';', and a line of it with '#', too.
+ * What could be a mistake is refused: control characters but tabs and line ends; invalid UTF-8;
+ * lines, names of sections and keys that are too long; indented lines; text behind a section's ']';
+ * a line without '='; sections, and keys of a section, that occur twice; and a last line without a
+ * line end, since a text that was cut off there would give another number. A key that stands before
+ * the first section has to be a full one, as `batter.tension`. */
 /** @{ */
 
 /**
- * Gives each section and each key of a text to @p take, in order; none if the text as a whole is malformed.
+ * Gives each section and each key of a text to @p take, in order; none if the text as a whole is
+ * malformed.
  *
  * @param text    @p size bytes, which need no terminator.
  * @param size    0 to TABOR_TEXT_LIMIT.
  * @param take    takes them.
  * @param context goes to @p take.
- * @param error   says what is wrong and in which line and column; its message does not repeat them. May be NULL.
+ * @param error   says what is wrong and in which line and column; its message does not repeat them.
+ * May be NULL.
  *
  * Errors: TABOR_ERROR_VALUE for a malformed text, TABOR_ERROR_MEMORY, and what @p take returns.
  */
 TABOR_API TaborStatus tabor_text_read(const char *text, size_t size, TaborTextTake *take,
                                       void *context, TaborError *error);
 /**
- * Reads a definition from the text of a preset file: what tabor_drum_def_set() makes of each key, after
- * tabor_drum_def_clear(), or after tabor_drum_def_preset() if the first key is `base` of [drum], a built-in preset's name. On an error @p def is unchanged: those of tabor_text_read(), tabor_drum_def_set() and
- * tabor_drum_def_section(). Rules that involve several fields are left to tabor_drum_def_validate().
+ * Reads a definition from the text of a preset file: what tabor_drum_def_set() makes of each key,
+ * after tabor_drum_def_clear(), or after tabor_drum_def_preset() if the first key is `base` of
+ * [drum], a built-in preset's name. On an error @p def is unchanged: those of tabor_text_read(),
+ * tabor_drum_def_set() and tabor_drum_def_section(). Rules that involve several fields are left to
+ * tabor_drum_def_validate().
  */
 TABOR_API TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, size_t size,
                                           TaborError *error);
 /**
- * Writes a definition as the text of a preset file, which tabor_drum_def_read() reads back to the same bits.
+ * Writes a definition as the text of a preset file, which tabor_drum_def_read() reads back to the
+ * same bits.
  *
  * @param def    the definition.
  * @param form   a TaborTextForm.
@@ -713,9 +730,9 @@ TABOR_API TaborStatus tabor_drum_def_read(TaborDrumDef *def, const char *text, s
  * @param length receives the bytes without the terminator, unless it is NULL.
  * @param error  may be NULL.
  *
- * Errors: TABOR_ERROR_VALUE for a text parameter that would read back otherwise, as there are no quotes (it begins or ends
- * with a blank, begins with ';', or has " ;" in it); those of tabor_drum_def_get(); TABOR_ERROR_ARGUMENT if the text does
- * not fit: @p text is then "".
+ * Errors: TABOR_ERROR_VALUE for a text parameter that would read back otherwise, as there are no
+ * quotes (it begins or ends with a blank, begins with ';', or has " ;" in it); those of
+ * tabor_drum_def_get(); TABOR_ERROR_ARGUMENT if the text does not fit: @p text is then "".
  */
 TABOR_API TaborStatus tabor_drum_def_write(const TaborDrumDef *def, uint32_t form, char *text,
                                            size_t size, size_t *length, TaborError *error);
@@ -747,9 +764,9 @@ typedef struct TaborAllocator {
 } TaborAllocator;
 
 /**
- * Hears how far the build of a model is: @p done from 0 to 1, which grows unevenly. It is called on the building thread,
- * every 5 to 50 ms on a processor of today. If it returns false, the build ends with TABOR_ERROR_CANCELLED. To
- * cancel from another thread, let it read an atomic flag.
+ * Hears how far the build of a model is: @p done from 0 to 1, which grows unevenly. It is called on
+ * the building thread, every 5 to 50 ms on a processor of today. If it returns false, the build
+ * ends with TABOR_ERROR_CANCELLED. To cancel from another thread, let it read an atomic flag.
  */
 typedef bool (*TaborBuildProgress)(double done, void *context);
 
@@ -763,19 +780,20 @@ typedef struct TaborModelOptions {
     allocator; /**< if both functions are NULL, the C library's, which is the default */
   TaborBuildProgress progress; /**< may be NULL, the default */
   void *progress_context;      /**< passed to progress */
-  /** Most seconds of processor time that the build may take, with the search for a pitch; 0, the default, is no limit. A
-   * model that takes more by tabor_model_estimate() is refused at once, and a build that takes more is ended, 50 ms
-   * later at most on a processor of today, with TABOR_ERROR_LIMIT, whose key is that of the parameter to lower. (On Windows and in
-   * WebAssembly, which have no such clock, the time of day counts.) */
+  /** Most seconds of processor time that the build may take, with the search for a pitch; 0, the
+   * default, is no limit. A model that takes more by tabor_model_estimate() is refused at once, and
+   * a build that takes more is ended, 50 ms later at most on a processor of today, with
+   * TABOR_ERROR_LIMIT, whose key is that of the parameter to lower. (On Windows and in WebAssembly,
+   * which have no such clock, the time of day counts.) */
   double most_seconds;
   size_t most_bytes; /**< most memory by tabor_model_estimate() */
 } TaborModelOptions;
 
 /** What building a model takes. */
 typedef struct TaborModelEstimate {
-  double
-    seconds; /**< of processor time on one core of a server of 2024; for most definitions right within a factor of 3 */
-  size_t bytes; /**< memory while it is built; right within a factor of 3 */
+  double seconds; /**< of processor time on one core of a server of 2024; for most definitions right
+                     within a factor of 3 */
+  size_t bytes;   /**< memory while it is built; right within a factor of 3 */
   char
     key[TABOR_NAME_SIZE]; /**< of the parameter that costs most of it, as `quality.wire_points` */
 } TaborModelEstimate;
@@ -832,8 +850,9 @@ typedef struct TaborModeInfo {
 /** Fills in the defaults. */
 TABOR_API void tabor_model_options_default(TaborModelOptions *options);
 /**
- * Says what tabor_model_create() would take, in some milliseconds. A pitch is not looked for, and one that the head cannot
- * have is not refused here. On an error, those of tabor_drum_def_validate(), or TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for
+ * Says what tabor_model_create() would take, in some milliseconds. A pitch is not looked for, and
+ * one that the head cannot have is not refused here. On an error, those of
+ * tabor_drum_def_validate(), or TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for
  * @p options, *estimate is 0.
  */
 TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def,
@@ -843,9 +862,10 @@ TABOR_API TaborStatus tabor_model_estimate(const TaborDrumDef *def,
  * Computes a model. The caller owns one reference to it. @p options may be NULL for the defaults.
  * On an error *model is NULL: the errors of tabor_drum_def_tune(), TABOR_ERROR_ARGUMENT or
  * TABOR_ERROR_RANGE for @p options, TABOR_ERROR_RANGE for a drum that cannot be computed,
- * TABOR_ERROR_LIMIT, TABOR_ERROR_CANCELLED, TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop processor the built-in presets take a
- * quarter of a second at live and about a second at studio. With heads of twice their size, or at
- * reference, a model takes some seconds; at reference at 88.2 kHz and more, half a minute.
+ * TABOR_ERROR_LIMIT, TABOR_ERROR_CANCELLED, TABOR_ERROR_MEMORY, TABOR_ERROR_NUMERICS. On a desktop
+ * processor the built-in presets take a quarter of a second at live and about a second at studio.
+ * With heads of twice their size, or at reference, a model takes some seconds; at reference at 88.2
+ * kHz and more, half a minute.
  */
 TABOR_API TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions *options,
                                          TaborModel **model, TaborError *error);
@@ -853,7 +873,8 @@ TABOR_API TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborMod
 TABOR_API TaborModel *tabor_model_retain(TaborModel *model);
 /** Removes a reference, atomically; removing the last one frees the model. Ignores NULL. */
 TABOR_API void tabor_model_release(TaborModel *model);
-/** The definition that the model was built from, with tensions for pitches; valid as long as the model. */
+/** The definition that the model was built from, with tensions for pitches; valid as long as the
+ * model. */
 TABOR_API const TaborDrumDef *tabor_model_definition(const TaborModel *model);
 /** Fills in the facts of @p model. */
 TABOR_API void tabor_model_info(const TaborModel *model, TaborModelInfo *info);
@@ -875,10 +896,11 @@ typedef enum TaborEventType {
   /** A stroke: id, striker, velocity, radius, angle, technique; value is the pressure of a buzz or
    * a sweep, 0 to 1. A sweep circles the centre at this radius, counter-clockwise, at this
    * velocity (up to 5 m/s) until it is moved. A pressed striker with the same id, unless that is
-   * 0, is taken away: one hand holds one stick. A pluck has other fields: striker is the index of the wire, radius the
-   * place along it as a part of its length, 0 to 1, value the displacement to which the finger would pull it if it
-   * touched nothing [m], 0 to 0.05, and velocity the mean speed of the pull [m/s]: it lets go after value/velocity, 0.1 ms to
-   * 10 s. Its work is booked as injected. A swap lets go. */
+   * 0, is taken away: one hand holds one stick. A pluck has other fields: striker is the index of
+   * the wire, radius the place along it as a part of its length, 0 to 1, value the displacement to
+   * which the finger would pull it if it touched nothing [m], 0 to 0.05, and velocity the mean
+   * speed of the pull [m/s]: it lets go after value/velocity, 0.1 ms to 10 s. Its work is booked as
+   * injected. A swap lets go. */
   TABOR_EVENT_STRIKE = 1,
   /** Presses strikers in play onto the head, or changes their pressure: id (0 for all), value. The
    * values 0 to 1 are 0.3 to 8 N in equal ratios at a grip of 0.5. Pressed strikers bounce (a
@@ -898,12 +920,13 @@ typedef enum TaborEventType {
    * 60: id (0 for all), radius, angle, value. The value 0 is for a stream of moves: the move then
    * takes the time since the last one, limited to 5 to 100 ms. */
   TABOR_EVENT_MOVE = 8,
-  /** Fades out what sounds over 15 ms: strikers, hands and older sounds, too. Events from this frame
-   * on act at once, on a drum at rest. Live values, ledger and counters go on. Does nothing if
-   * nothing sounds. Another silence during the fade cuts the older sound short. */
+  /** Fades out what sounds over 15 ms: strikers, hands and older sounds, too. Events from this
+   * frame on act at once, on a drum at rest. Live values, ledger and counters go on. Does nothing
+   * if nothing sounds. Another silence during the fade cuts the older sound short. */
   TABOR_EVENT_SILENCE = 9,
-  /** Changes the gain of all outputs: value, a factor from 0 to 1e6, reached over 5 ms, or at once while the
-   * drum is silent; 1 at first and after a reset. It outlives swaps, replacements and silences. */
+  /** Changes the gain of all outputs: value, a factor from 0 to 1e6, reached over 5 ms, or at once
+   * while the drum is silent; 1 at first and after a reset. It outlives swaps, replacements and
+   * silences. */
   TABOR_EVENT_GAIN = 10,
   /** Replaces the drum by another one, at rest and with the live values of its definition: swap. */
   TABOR_EVENT_REPLACE = 11
@@ -928,14 +951,16 @@ typedef struct TaborEvent {
 
 /** Sound from outside that drives a drum. */
 typedef struct TaborSound {
-  uint32_t
-    mic; /**< microphone of the definition at whose place the source is; of no matter past the last */
-  /** [frames] [Pa]: the pressure that the source would cause at the centre of the batter head if the drum were not
-   * there, ahead by the sound's way to the drum; NULL: silence. Samples must be finite. */
+  uint32_t mic; /**< microphone of the definition at whose place the source is; of no matter past
+                   the last */
+  /** [frames] [Pa]: the pressure that the source would cause at the centre of the batter head if
+   * the drum were not there, ahead by the sound's way to the drum; NULL: silence. Samples must be
+   * finite. */
   const float *pressure;
 } TaborSound;
 
-/** Counters since creation or reset, which go on through silences, swaps and replacements, and the strikers and hands in play. */
+/** Counters since creation or reset, which go on through silences, swaps and replacements, and the
+ * strikers and hands in play. */
 typedef struct TaborStatistics {
   uint64_t frames;            /**< frames processed, sleeping ones included */
   uint64_t slept_frames;      /**< frames processed asleep */
@@ -964,19 +989,21 @@ typedef struct TaborStatistics {
  * injected + control = stored + head_loss + wire_loss + contact_loss + damper_loss + shell_loss
  *                      + radiated + removed + residual.
  * The magnitude of the residual is at most 1e-9 of injected + |control| at `studio` and
- * `reference`; at `draft` and `live` it is at most 1e-6 of that, and 2e-12 J on top of it for each second that wires
- * rest on a head. (Contacts in single precision know the work of the wires' own rest forces to 1.5e-6, so that
- * this part falls with the motion, and not with its square; see docs/limits.md.) The exception is a contact solver
- * stopped at its cap (newton_capped), where a drum may lose more energy, but never gains any.
+ * `reference`; at `draft` and `live` it is at most 1e-6 of that, and 2e-12 J on top of it for each
+ * second that wires rest on a head. (Contacts in single precision know the work of the wires' own
+ * rest forces to 1.5e-6, so that this part falls with the motion, and not with its square; see
+ * docs/limits.md.) The exception is a contact solver stopped at its cap (newton_capped), where a
+ * drum may lose more energy, but never gains any.
  */
 typedef struct TaborLedger {
-  /** Kinetic energy of launched strikers, and the work of pressing hands, their springs and sound from outside. */
+  /** Kinetic energy of launched strikers, and the work of pressing hands, their springs and sound
+   * from outside. */
   double injected;
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
   double stored; /**< above the rest state, strikers in flight included */
-  /** In the heads' material; and what the low modes of a closed drum lose to the air beyond what `radiated` has of them,
-   * a few per cent of that, or what they lose less. */
+  /** In the heads' material; and what the low modes of a closed drum lose to the air beyond what
+   * `radiated` has of them, a few per cent of that, or what they lose less. */
   double head_loss;
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
@@ -985,8 +1012,9 @@ typedef struct TaborLedger {
   /** In hoop and shell; and in the enclosed air, by friction, heat conduction and absorption at its
    * walls. */
   double shell_loss;
-  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries far away, of others, and
-   * while sound from outside drives the drum, what modes lose to the air. */
+  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries
+   * far away, of others, and while sound from outside drives the drum, what modes lose to the air.
+   */
   double radiated;
   double removed;   /**< energy of strikers that were taken away */
   double high_band; /**< stored in the one-way high band; not part of the balance */
@@ -1012,32 +1040,33 @@ typedef struct TaborViewGrid {
   uint32_t radii;  /**< circles of the heads, from the centre to the edge, 2 to 32, default 16 */
   uint32_t angles; /**< points of each circle, 1 to 96, default 48 */
   uint32_t wire_points; /**< points of each wire, 2 to 200, default 33 */
-  /** The heads' motion is that of the two-way modes up to here [Hz], default 1500, which is enough for the
-   * eye; infinity: all of them. The one-way high band is never part of it. The work of tabor_drum_view() grows
-   * with the number of these modes. */
+  /** The heads' motion is that of the two-way modes up to here [Hz], default 1500, which is enough
+   * for the eye; infinity: all of them. The one-way high band is never part of it. The work of
+   * tabor_drum_view() grows with the number of these modes. */
   double bandwidth;
 } TaborViewGrid;
 
-/** Where a striker touches, or will. A stick that meets head and hoop has two, a brush has one for each group of
- * bristles. */
+/** Where a striker touches, or will. A stick that meets head and hoop has two, a brush has one for
+ * each group of bristles. */
 typedef struct TaborViewStick {
   uint32_t id;      /**< the caller's, of its stroke */
   uint32_t striker; /**< index into the definition's strikers */
   uint32_t on_hoop; /**< 1: it meets the hoop, 0: the head */
   double radius;    /**< of its place, from the centre [m] */
   double angle;     /**< of its place [deg] */
-  /** Of this point of it above the undeflected batter head [m], as if it did not yield: one that touches is lower
-   * than the head by what the contact is compressed, a finger by millimetres. */
+  /** Of this point of it above the undeflected batter head [m], as if it did not yield: one that
+   * touches is lower than the head by what the contact is compressed, a finger by millimetres. */
   double height;
   double force; /**< between it and head or hoop [N] */
 } TaborViewStick;
 
 /**
- * What a drum looks like at one instant. Of place (i, j) of a head, i counts the circles and j the angles: the
- * radius is i/(radii - 1) of the shell's, so that the first circle is the centre and the last one the edge, and the
- * angle is j 360/angles degrees. Points of a wire are evenly spaced from end to end, both ends included. Heights of
- * heads and wires count from the plane of the bearing edge, wherever the shell moves; those of sticks from
- * this plane at rest. The caller reads the fields and changes none.
+ * What a drum looks like at one instant. Of place (i, j) of a head, i counts the circles and j the
+ * angles: the radius is i/(radii - 1) of the shell's, so that the first circle is the centre and
+ * the last one the edge, and the angle is j 360/angles degrees. Points of a wire are evenly spaced
+ * from end to end, both ends included. Heights of heads and wires count from the plane of the
+ * bearing edge, wherever the shell moves; those of sticks from this plane at rest. The caller reads
+ * the fields and changes none.
  */
 typedef struct TaborView {
   uint32_t heads;       /**< 1, or 2 with a resonant head */
@@ -1048,16 +1077,18 @@ typedef struct TaborView {
   uint32_t mode_count;  /**< modes that the heads' motion is a sum of; copies count as two */
   double radius;        /**< of the heads [m] */
   double bandwidth;     /**< of these modes [Hz] */
-  /** displacement[head][i * angles + j], in the order of TaborHead: height of the head above its own undeflected
-   * plane [m]. Wires deflect their head also at rest. NULL for a head that the drum does not have. */
+  /** displacement[head][i * angles + j], in the order of TaborHead: height of the head above its
+   * own undeflected plane [m]. Wires deflect their head also at rest. NULL for a head that the drum
+   * does not have. */
   const double *displacement[2];
-  /** wire_place[w * 4]: x and y of the first end, x and y of the last end of wire w, seen from above, +x at 0
-   * degrees [m]. */
+  /** wire_place[w * 4]: x and y of the first end, x and y of the last end of wire w, seen from
+   * above, +x at 0 degrees [m]. */
   const double *wire_place;
-  /** wires[w * wire_points + p]: height of wire w above the undeflected plane of the head that carries it [m]. */
+  /** wires[w * wire_points + p]: height of wire w above the undeflected plane of the head that
+   * carries it [m]. */
   const double *wires;
-  /** wire_force[w * wire_points + p]: between wire and head, 0 or more [N]; each contact counts at the point
-   * that is nearest to it, so that the sum is the whole force. */
+  /** wire_force[w * wire_points + p]: between wire and head, 0 or more [N]; each contact counts at
+   * the point that is nearest to it, so that the sum is the whole force. */
   const double *wire_force;
   uint32_t stick_count;                     /**< strikers' contacts in play */
   TaborViewStick sticks[TABOR_VIEW_STICKS]; /**< the first stick_count of them */
@@ -1087,35 +1118,35 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  *
  * The event decides what becomes of a drum that rings:
  *
- * - After TABOR_EVENT_SWAP it continues on the new model if size, boundary and set of wires stay the same.
- *   For 16 ms the old model plays, too: events act on both, and the outputs change over from the old one
- *   to the new one in the second half of this time. Live values go on if they were moved. A drum of another size,
- *   boundary or set of wires is replaced.
- * - After TABOR_EVENT_REPLACE a drum at rest takes its place. The old drum rings out beside it under a fade of
- *   30 ms. Live values begin anew.
+ * - After TABOR_EVENT_SWAP it continues on the new model if size, boundary and set of wires stay
+ *   the same. For 16 ms the old model plays, too: events act on both, and the outputs change over
+ *   from the old one to the new one in the second half of this time. Live values go on if they were
+ *   moved. A drum of another size, boundary or set of wires is replaced.
+ * - After TABOR_EVENT_REPLACE a drum at rest takes its place. The old drum rings out beside it
+ *   under a fade of 30 ms. Live values begin anew.
  *
- * Ledger and counters go on. Outputs then stand for the microphones of the new model, and former sounds go
- * to those of the same names; two without a namesake in the other drum, in the same place, are taken for the
- * same. tabor_swap_route() chooses outputs instead. At most four former sounds are heard at once, those
- * of silences included; a further one cuts the oldest short.
+ * Ledger and counters go on. Outputs then stand for the microphones of the new model, and former
+ * sounds go to those of the same names; two without a namesake in the other drum, in the same
+ * place, are taken for the same. tabor_swap_route() chooses outputs instead. At most four former
+ * sounds are heard at once, those of silences included; a further one cuts the oldest short.
  */
 TABOR_API TaborStatus tabor_swap_create(TaborModel *old_model, TaborModel *new_model,
                                         TaborSwap **swap, TaborError *error);
 /**
- * Chooses the microphone of each output, @p count of them, at most TABOR_MAX_MICS: mics[output] is an index into the
- * definition's microphones, or larger for an output that is silent. At first output i has microphone i. Call
- * before the drum is played; tabor_drum_process() then takes @p count outputs.
+ * Chooses the microphone of each output, @p count of them, at most TABOR_MAX_MICS: mics[output] is
+ * an index into the definition's microphones, or larger for an output that is silent. At first
+ * output i has microphone i. Call before the drum is played; tabor_drum_process() then takes @p
+ * count outputs.
  */
 TABOR_API void tabor_drum_route(TaborDrum *drum, const uint8_t *mics, uint32_t count);
 /**
- * The same for the drum after the swap; former sounds stay at the outputs that they had. Without it the
- * drum has an output for each of the new model's microphones. Call before the event is sent.
+ * The same for the drum after the swap; former sounds stay at the outputs that they had. Without it
+ * the drum has an output for each of the new model's microphones. Call before the event is sent.
  */
 TABOR_API void tabor_swap_route(TaborSwap *swap, const uint8_t *mics, uint32_t count);
 /**
- * Frees a swap that was never sent or is done, or whose drum was destroyed, with the old state and model that it
- * then holds.
- * Ignores NULL.
+ * Frees a swap that was never sent or is done, or whose drum was destroyed, with the old state and
+ * model that it then holds. Ignores NULL.
  */
 TABOR_API void tabor_swap_destroy(TaborSwap *swap);
 /** @} */
@@ -1125,9 +1156,10 @@ TABOR_API void tabor_swap_destroy(TaborSwap *swap);
 /** @{ */
 
 /**
- * Creates a view of drums on @p model, to which it keeps a reference, and the tables for tabor_drum_view(). It shows
- * nothing yet: all its values are 0. One view may look at several drums of this model. @p grid may be NULL for the
- * defaults. On an error *view is NULL: TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p grid, TABOR_ERROR_MEMORY.
+ * Creates a view of drums on @p model, to which it keeps a reference, and the tables for
+ * tabor_drum_view(). It shows nothing yet: all its values are 0. One view may look at several drums
+ * of this model. @p grid may be NULL for the defaults. On an error *view is NULL:
+ * TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p grid, TABOR_ERROR_MEMORY.
  */
 TABOR_API TaborStatus tabor_view_create(TaborModel *model, const TaborViewGrid *grid,
                                         TaborView **view, TaborError *error);
@@ -1153,20 +1185,22 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  * @param drum    the drum.
  * @param events  @p count events, sorted by frame; may be NULL when count is 0.
  * @param count   number of events.
- * @param outputs outputs[mic][frame]: one pointer per microphone of the definition, in its order, unless
- *                tabor_drum_route() or tabor_swap_route() has chosen others.
- *                Samples overwrite the array; 1.0 stands for full_scale. A NULL channel is not
- *                computed; when it is connected again it starts silent, and sound still on its way
- *                to the microphone is lost. @p outputs itself may be NULL. After a swap to a model
- *                with fewer microphones, the caller fills the channels that it lacks.
+ * @param outputs outputs[mic][frame]: one pointer per microphone of the definition, in its order,
+ * unless tabor_drum_route() or tabor_swap_route() has chosen others. Samples overwrite the
+ * array; 1.0 stands for full_scale. A NULL channel is not computed; when it is connected again it
+ * starts silent, and sound still on its way to the microphone is lost. @p outputs itself may be
+ * NULL. After a swap to a model with fewer microphones, the caller fills the channels that it
+ * lacks.
  * @param frames  samples of each channel; may be 0: all events then act at once.
  *
  * The work is bounded. Of strokes, presses and damping hands, TABOR_BURST act at once, and one more
- * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. Silences, resets, swaps and
- * replacements always act, and count among these: a silence, a reset or a swap like seven strokes, a replacement
- * like one. A swap beyond this number acts like TABOR_EVENT_REPLACE. Live changes, gains and moves count a little;
- * of some two thousand at once, further ones are dropped and counted. Releases always act. Of several resets at one frame the last alone is carried out, and what
- * precedes it at this frame, except swaps, is skipped without being counted.
+ * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. Silences,
+ * resets, swaps and replacements always act, and count among these: a silence, a reset or a swap
+ * like seven strokes, a replacement like one. A swap beyond this number acts like
+ * TABOR_EVENT_REPLACE. Live changes, gains and moves count a little; of some two thousand at once,
+ * further ones are dropped and counted. Releases always act. Of several resets at one frame the
+ * last alone is carried out, and what precedes it at this frame, except swaps, is skipped without
+ * being counted.
  *
  * The output does not depend on the division into blocks. The latency is 0; sound reaches a
  * microphone after its travel time. The caller's floating-point mode is saved and restored.
@@ -1174,18 +1208,21 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
 TABOR_API void tabor_drum_process(TaborDrum *drum, const TaborEvent *events, uint32_t count,
                                   float *const *outputs, uint32_t frames);
 /**
- * tabor_drum_process() while sound from outside drives the heads, and through them the wires: a loudspeaker in front
- * of a snare drum, or another drum. @p sound may be NULL. Its source stands at the place of a microphone, which is
- * used backwards: the heads are pushed as that microphone would hear them move (engine/src/air/incident_sound.h has
- * the equation). It acts on the modes up to the two-way bandwidth. Sound below 2e-5 Pa counts as silence, and so does what is
- * no number; any other wakes a drum that sleeps. Sound beyond 1e5 Pa, the air's own pressure, is limited to it. The ledger counts its work as injected.
+ * tabor_drum_process() while sound from outside drives the heads, and through them the wires: a
+ * loudspeaker in front of a snare drum, or another drum. @p sound may be NULL. Its source stands at
+ * the place of a microphone, which is used backwards: the heads are pushed as that microphone would
+ * hear them move (engine/src/air/incident_sound.h has the equation). It acts on the modes up to the
+ * two-way bandwidth. Sound below 2e-5 Pa counts as silence, and so does what is no number; any
+ * other wakes a drum that sleeps. Sound beyond 1e5 Pa, the air's own pressure, is limited to it.
+ * The ledger counts its work as injected.
  */
 TABOR_API void tabor_drum_process_sound(TaborDrum *drum, const TaborEvent *events, uint32_t count,
                                         const TaborSound *sound, float *const *outputs,
                                         uint32_t frames);
 /** True if everything has died away: the output is then exactly 0 until the next event. */
 TABOR_API bool tabor_drum_is_silent(const TaborDrum *drum);
-/** Makes the drum as a new one of its model: brings it to rest, like TABOR_EVENT_RESET, and forgets what events have cost. */
+/** Makes the drum as a new one of its model: brings it to rest, like TABOR_EVENT_RESET, and forgets
+ * what events have cost. */
 TABOR_API void tabor_drum_reset(TaborDrum *drum);
 /** Copies the counters to @p statistics. */
 TABOR_API void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics);
@@ -1194,10 +1231,11 @@ TABOR_API void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger);
 /** Copies positions and forces of the newest state to @p probe. */
 TABOR_API void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe);
 /**
- * Copies what the newest state looks like to @p view, at whatever rate the caller wants to see. False if the drum is on
- * another model than the view, as after a swap; the view then keeps what it had. What still sounds of before a
- * silence, a swap or a replacement is not seen. On the default grid it takes 15 to 40 microseconds
- * on a processor of today, those of a drum with many low modes the most.
+ * Copies what the newest state looks like to @p view, at whatever rate the caller wants to see.
+ * False if the drum is on another model than the view, as after a swap; the view then keeps what it
+ * had. What still sounds of before a silence, a swap or a replacement is not seen. On the default
+ * grid it takes 15 to 40 microseconds on a processor of today, those of a drum with many low modes
+ * the most.
  */
 TABOR_API bool tabor_drum_view(const TaborDrum *drum, TaborView *view);
 /** The model of the drum at this moment. */
@@ -1207,8 +1245,8 @@ TABOR_API const TaborModel *tabor_drum_model(const TaborDrum *drum);
 TABOR_API size_t tabor_drum_state_size(const TaborDrum *drum);
 /**
  * Writes the whole state to @p bytes, tabor_drum_state_size() of them. A drum on the same model
- * continues from it with the same bits. Sounds that fade out after a silence, a swap or a replacement
- * are not part of it.
+ * continues from it with the same bits. Sounds that fade out after a silence, a swap or a
+ * replacement are not part of it.
  */
 TABOR_API void tabor_drum_state_save(const TaborDrum *drum, void *bytes);
 /**
@@ -1224,11 +1262,11 @@ TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, 
  * --------------------------------------------------------------------------------------------- */
 
 /**
- * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of each
- * microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has the equations). It
- * hears the drum by two of its microphones, the *feeds*: those called `left` and `right`, or else the one that
- * is farthest away, for both. It undoes their frequency responses, and what it sends to a microphone passes that
- * microphone's. The drum does not hear the room.
+ * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of
+ * each microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has
+ * the equations). It hears the drum by two of its microphones, the *feeds*: those called `left` and
+ * `right`, or else the one that is farthest away, for both. It undoes their frequency responses,
+ * and what it sends to a microphone passes that microphone's. The drum does not hear the room.
  */
 typedef struct TaborRoom TaborRoom;
 
@@ -1251,11 +1289,11 @@ typedef struct TaborRoomInfo {
 /** @{ */
 
 /**
- * Creates the room of @p def, at rest, for all its microphones. A room of the kind none adds nothing. Of @p def
- * it reads room, air, shell and microphones, as they are now: gains that change while the drum plays are not
- * heard in the room, but through the feeds. @p allocator may be NULL for the C library's. On an error *room is
- * NULL: those of tabor_drum_def_validate(), TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p sample_rate, or
- * TABOR_ERROR_MEMORY.
+ * Creates the room of @p def, at rest, for all its microphones. A room of the kind none adds
+ * nothing. Of @p def it reads room, air, shell and microphones, as they are now: gains that change
+ * while the drum plays are not heard in the room, but through the feeds. @p allocator may be NULL
+ * for the C library's. On an error *room is NULL: those of tabor_drum_def_validate(),
+ * TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p sample_rate, or TABOR_ERROR_MEMORY.
  */
 TABOR_API TaborStatus tabor_room_create(const TaborDrumDef *def, double sample_rate,
                                         const TaborAllocator *allocator, TaborRoom **room,
@@ -1274,9 +1312,10 @@ TABOR_API void tabor_room_info(const TaborRoom *room, TaborRoomInfo *info);
  * Adds what the room sends back to @p outputs.
  *
  * @param room    the room.
- * @param dry     dry[mic][frame]: what tabor_drum_process() gave. Only the feeds are read. A NULL channel is
- *                silence, and so is @p dry if it is NULL.
- * @param outputs outputs[mic][frame]: the room adds to each channel that is not NULL; @p outputs may be @p dry.
+ * @param dry     dry[mic][frame]: what tabor_drum_process() gave. Only the feeds are read. A NULL
+ * channel is silence, and so is @p dry if it is NULL.
+ * @param outputs outputs[mic][frame]: the room adds to each channel that is not NULL; @p outputs
+ * may be @p dry.
  * @param frames  samples of each channel.
  *
  * The output does not depend on the division into blocks, nor on the instruction set.
@@ -1285,18 +1324,19 @@ TABOR_API void tabor_room_process(TaborRoom *room, const float *const *dry, floa
                                   uint32_t frames);
 /** True if everything has died away: the room adds exactly 0 until a feed sounds again. */
 TABOR_API bool tabor_room_is_silent(const TaborRoom *room);
-/** Energy of what the room holds: mean square of its late sound at a microphone of gain 1, in units of full
- * scale. 0 if it is silent. */
+/** Energy of what the room holds: mean square of its late sound at a microphone of gain 1, in units
+ * of full scale. 0 if it is silent. */
 TABOR_API double tabor_room_energy(const TaborRoom *room);
 /** Brings the room to rest. */
 TABOR_API void tabor_room_reset(TaborRoom *room);
 /** Number of bytes that tabor_room_state_save() writes. */
 TABOR_API size_t tabor_room_state_size(const TaborRoom *room);
-/** Writes the whole state to @p bytes. The same room, and one like it, continues from it with the same bits. */
+/** Writes the whole state to @p bytes. The same room, and one like it, continues from it with the
+ * same bits. */
 TABOR_API void tabor_room_state_save(const TaborRoom *room, void *bytes);
 /**
- * Restores a saved state. If the bytes are damaged or belong to another room, it returns TABOR_ERROR_STATE and
- * changes nothing.
+ * Restores a saved state. If the bytes are damaged or belong to another room, it returns
+ * TABOR_ERROR_STATE and changes nothing.
  */
 TABOR_API TaborStatus tabor_room_state_load(TaborRoom *room, const void *bytes, size_t size);
 /** @} */

@@ -10,13 +10,14 @@
  * It is fitted to omega k/sin(omega k), within 0.07 dB up to 16 kHz at 44.1 kHz (omega k = 2.28),
  * and hence at every higher rate. Poles at 0.70 and 0.37 keep its gain at half the rate to 19 dB.
  *
- * A striker's force is a mean over k (contact_law.h) and is heard as it is: toms, bass drum and timpano
- * at `live` and 44.1 or 48 kHz are then within 3 dB of 96 kHz up to 12.5 kHz, within 3.5 dB at 16 kHz,
- * toms brighter (test_system_rates), the others duller. A filter for that mean would add 1.7 dB there.
+ * A striker's force is a mean over k (contact_law.h) and is heard as it is: toms, bass drum and
+ * timpano at `live` and 44.1 or 48 kHz are then within 3 dB of 96 kHz up to 12.5 kHz, within 3.5 dB
+ * at 16 kHz, toms brighter (test_system_rates), the others duller. A filter for that mean would
+ * add 1.7 dB there.
  *
- * Unless wires are thrown off, their filter lifts what strikers excite, too. So strikers' forces then act
- * on the high band as means of two samples, cos(omega k/2), which leaves 1.7 dB too much at 16 kHz and
- * 48 kHz. At the two-way modes of `live` the filter lifts by 0.4 dB or less.
+ * Unless wires are thrown off, their filter lifts what strikers excite, too. So strikers' forces
+ * then act on the high band as means of two samples, cos(omega k/2), which leaves 1.7 dB too much
+ * at 16 kHz and 48 kHz. At the two-way modes of `live` the filter lifts by 0.4 dB or less.
  * Audio-safe. */
 #ifndef TB_FORCE_EQUALIZER_H
 #define TB_FORCE_EQUALIZER_H

@@ -9,10 +9,10 @@
 typedef struct TbHighBandStep {
   /* Fills view->high.turn: every mode swings at its own frequency, and scattering begins anew. */
   void (*begin)(const TbView *view);
-  /* Draws the frequencies of eight modes anew, without a change of their phase and amplitude, so that over time all lose
-   * their phase at the rates of scattering.h. Wires in contact scatter as much as they take: 2 s more, s the decay
-   * rate by view->high.taken. Not while a striker pushes: modes then lean by what it holds them, which is no motion whose phase
-   * could change. */
+  /* Draws the frequencies of eight modes anew, without a change of their phase and amplitude, so
+   * that over time all lose their phase at the rates of scattering.h. Wires in contact scatter as
+   * much as they take: 2 s more, s the decay rate by view->high.taken. Not while a striker pushes:
+   * modes then lean by what it holds them, which is no motion whose phase could change. */
   void (*scatter)(const TbView *view);
   /* Fills view->high.taken: the part of each mode's motion that the wires take in a step, from the
    * resistance of all their points in each band of TbWireHold [N s/m]. */
@@ -29,7 +29,8 @@ typedef struct TbHighBandStep {
   void (*keep_drive)(const TbView *view, uint32_t slot, const double *drive);
   /* Energy between view->last and view->now [J]. */
   double (*energy)(const TbView *view);
-  /* What microphones hear of the motion from view->last to view->now, as a part of full scale, squared. */
+  /* What microphones hear of the motion from view->last to view->now, as a part of full scale,
+   * squared. */
   double (*heard)(const TbView *view);
   /* Sets displacements that are negligible at both instants to 0. */
   void (*clear_small)(const TbView *view);

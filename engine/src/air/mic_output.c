@@ -41,7 +41,8 @@ static double high_push(TbView *view, TbSlot *slot, double force) {
   return wires_lie(view) ? 0.5 * (force + before) : force;
 }
 
-/* [N]; less is what a solve leaves over: on one machine nothing, on another, which does not flush denormals, not quite. */
+/* [N]; less is what a solve leaves over: on one machine nothing, on another, which does not flush
+ * denormals, not quite. */
 static const double LEAST_PUSH = 1e-9;
 
 /* Strikers push the batter head's modes; true if any does. */
@@ -61,7 +62,8 @@ static bool strike_high(TbView *view) {
   return struck;
 }
 
-/* Every HOLD_STEPS samples, counted from a first contact: from the wires' contacts since the last time. */
+/* Every HOLD_STEPS samples, counted from a first contact: from the wires' contacts since the last
+ * time. */
 static void renew_hold(TbView *view) {
   TbState *state = view->state;
   const TbWireContacts sums = state->high.contacts;

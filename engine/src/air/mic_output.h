@@ -14,7 +14,8 @@ uint32_t tb_first_heard(uint32_t heard);
  * nothing touched in this step or in the last one. */
 void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressure);
 
-/* Call between two steps after modes have come to rest: what was heard of them goes without a click. */
+/* Call between two steps after modes have come to rest: what was heard of them goes without a
+ * click. */
 void tb_mic_hear_anew(TbView *view);
 
 #endif

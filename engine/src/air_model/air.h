@@ -96,9 +96,9 @@ bool tb_air_half_baffled(const TbAirOrder *order, TbArena *scratch, const double
                          const double *lower, double depth, double x, const TbAirPoint *points,
                          uint32_t point_count, double *fields);
 
-/* Resistance and fields of the shape Sum_i v_i J_m(z_i r) in a baffle, to four digits. With air on `both_sides`,
- * the result is that of tb_air_load(); otherwise one side's resistance and a field that is even in
- * the height. `order` needs no expansion. */
+/* Resistance and fields of the shape Sum_i v_i J_m(z_i r) in a baffle, to four digits. With air on
+ * `both_sides`, the result is that of tb_air_load(); otherwise one side's resistance and a field
+ * that is even in the height. `order` needs no expansion. */
 bool tb_air_baffled(const TbAirOrder *order, TbArena *scratch, bool both_sides, const double *v,
                     double x, const TbAirPoint *points, uint32_t point_count, double *resistance,
                     double *fields);

@@ -8,7 +8,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Distance in radii: 1/(k s)^2, by which a dipole's p^2 exceeds what goes on, is below 1e-3 from k R = 0.16 on. */
+/* Distance in radii: 1/(k s)^2, by which a dipole's p^2 exceeds what goes on, is below 1e-3 from k
+ * R = 0.16 on. */
 static const double DISTANCE = 200.0;
 
 void tb_far_points(double depth, TbAirPoint *points) {

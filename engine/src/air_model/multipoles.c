@@ -10,14 +10,15 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Rounding in c_n comes back times h_n(x s), s >= 2, which stays below 1e4 for the degrees that so many
- * digits take from here on: x = 22 for 10.5 digits, x = 3.2 for four. */
+/* Rounding in c_n comes back times h_n(x s), s >= 2, which stays below 1e4 for the degrees that so
+ * many digits take from here on: x = 22 for 10.5 digits, x = 3.2 for four. */
 bool tb_multipoles_project(const TbAirPlan *plan) {
   const double digits = plan->precision.digits;
   return plan->x > 0.2 * digits * digits;
 }
 
-/* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m ------------------- */
+/* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m -------------------
+ */
 
 /* g_n^2, with u L_n = g_{n+1} L_{n+1} + g_n L_{n-1}, g_m = 0 ([DLMF] 14.10.3, normalised). */
 static double coupling_square(uint32_t m, uint32_t n) {
@@ -42,9 +43,11 @@ static void legendre_on_disc(uint32_t m, uint32_t degrees, double *on_disc) {
   }
 }
 
-/* ---- by integrals over the disc ---------------------------------------------------------------- */
+/* ---- by integrals over the disc ----------------------------------------------------------------
+ */
 
-/* Nodes r = sin t with weights dt, and the integrands over sqrt(r): j_n takes that from J_{n+1/2}. */
+/* Nodes r = sin t with weights dt, and the integrands over sqrt(r): j_n takes that from J_{n+1/2}.
+ */
 typedef struct Disc {
   uint32_t count;
   double *r;
@@ -69,7 +72,8 @@ static bool disc_shape(const TbAirPlan *plan, TbArena *scratch, const TbAirSourc
 }
 
 /* p(r) = Sum_n a_n p_n(r), p_n the inverse of kappa^{-3/2} J_{mu_n} ([DLMF] 10.22.56):
- * p_n = r^m (1 - r^2)^{1/2} n!/(sqrt(2) Gamma(n + 3/2)) P_n^{(m,1/2)}(1 - 2 r^2), Jacobi's polynomial. */
+ * p_n = r^m (1 - r^2)^{1/2} n!/(sqrt(2) Gamma(n + 3/2)) P_n^{(m,1/2)}(1 - 2 r^2), Jacobi's
+ * polynomial. */
 static void jump_at(const TbAirPlan *plan, const double *a, double r, double jump[2]) {
   const double alpha = (double)plan->order->m, beta = 0.5, y = 1.0 - 2.0 * r * r;
   double last = 0.0, here = 1.0, scale = sqrt(2.0 / PI);
@@ -155,9 +159,11 @@ static bool by_disc(TbMultipoles *waves, const TbAirPlan *plan, TbArena *scratch
   return true;
 }
 
-/* ---- by projection of the far field ------------------------------------------------------------ */
+/* ---- by projection of the far field ------------------------------------------------------------
+ */
 
-/* Far fields at the nodes below x with the weight sin t dt, and Legendre functions of two degrees. */
+/* Far fields at the nodes below x with the weight sin t dt, and Legendre functions of two degrees.
+ */
 typedef struct Sphere {
   uint32_t count;
   double *u_square, *first, *shape, *jump_re, *jump_im, *here, *last;
@@ -258,7 +264,8 @@ bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *
                                      : by_disc(waves, plan, scratch, source);
 }
 
-/* ---- the field --------------------------------------------------------------------------------- */
+/* ---- the field ---------------------------------------------------------------------------------
+ */
 
 /* Where h_n leaves the range of numbers, c_n h_n is below s^-n: nothing. */
 static const double LARGEST = 1e250;

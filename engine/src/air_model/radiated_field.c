@@ -26,8 +26,8 @@ double tb_air_heard_to(double reach, double digits) {
   return reach + 0.25 * digits * (2.5 * tb_cbrt(reach) + 5.0);
 }
 
-/* A near point hears the wavenumbers that reach it, J_m(k) J_m(k r) of them; a far one what radiates, and
- * what has not fallen like s^-m yet. */
+/* A near point hears the wavenumbers that reach it, J_m(k) J_m(k r) of them; a far one what
+ * radiates, and what has not fallen like s^-m yet. */
 static bool is_heard(const TbAirPlan *plan, double radius, double height) {
   const double m = (double)plan->order->m, digits = plan->precision.digits;
   if (is_far(radius, height)) {
@@ -66,14 +66,16 @@ void tb_air_plan_fields(TbAirPlan *plan, const TbAirSource *sources, uint32_t so
   plan->degrees = isfinite(nearest) ? degrees_for(plan, nearest) : 0;
 }
 
-/* Along t, kappa = x sin t, phases advance most quickly at t = 0: the panels are even, and as short as that asks. */
+/* Along t, kappa = x sin t, phases advance most quickly at t = 0: the panels are even, and as short
+ * as that asks. */
 double tb_air_plan_turns(const TbAirPlan *plan) {
   const double own = 0.5 * PI * plan->x * fmax(2.0, plan->stretch);
   if (plan->degrees == 0 || !tb_multipoles_project(plan)) return own;
   return fmax(own, 1.3 * (plan->x + 0.5 * PI * plan->degrees)); /* rounding alone may be left */
 }
 
-/* One head's integrand without J_m(k r) and e^{-gamma h}; measures as in wavenumber_quadrature.h. */
+/* One head's integrand without J_m(k r) and e^{-gamma h}; measures as in wavenumber_quadrature.h.
+ */
 static void integrand(const TbWavenumberNodes *nodes, const TbAirSource *source, double baffled,
                       double open, uint32_t q, double *re, double *im) {
   const double weight = nodes->weights[q], kappa = nodes->kappa[q], root = nodes->root[q];

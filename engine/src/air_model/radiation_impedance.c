@@ -11,15 +11,17 @@ static const double PI = 3.14159265358979323846;
 
 /* Sixteen nodes integrate a wave of 12.5 radians to rounding, one of 30 radians to 1e-7. */
 static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5};
-/* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB below the
- * loudest are right to 0.1 dB, resistances to 1e-4 of the damping. */
+/* For short waves, and for drums, whose resistance is itself an interpolation: parts down to 60 dB
+ * below the loudest are right to 0.1 dB, resistances to 1e-4 of the damping. */
 static const TbAirPrecision FINE = {.digits = 4.5, .panel = 30.0};
 static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 30.0};
 
-/* ---- the open head ----------------------------------------------------------------------------- */
+/* ---- the open head -----------------------------------------------------------------------------
+ */
 
-/* How much of the expansion one shape needs. Its terms n beyond (z - m)/2 vanish fast, z the highest
- * zero that takes part: for 10.5 digits with 1e-3 of the largest part, which changes the load by 1e-6. */
+/* How much of the expansion one shape needs. Its terms n beyond (z - m)/2 vanish fast, z the
+ * highest zero that takes part: for 10.5 digits with 1e-3 of the largest part, which changes the
+ * load by 1e-6. */
 static void widen_reach(const TbAirOrder *order, const double *v, TbAirPlan *plan) {
   double largest = 0.0;
   for (uint32_t i = 0; i < order->count; i++) largest = fmax(largest, fabs(v[i]));
@@ -57,9 +59,10 @@ static void add_outer8(uint32_t n, double *restrict out, const double factor[8],
   }
 }
 
-/* What is left of k^-2 sqrt(k^2 - x^2), k > x, without its first two terms 1/k and -x^2/(2 k^3), for which
- * Int_0^inf J_mu J_mu' dk is known ([DLMF] 10.22.57): 1/(2 mu) on the diagonal; for k^-3
- * 1/(4 (mu - 1) mu (mu + 1)) there and 1/(8 mu (mu + 1) (mu + 2)) beside it. It falls like x^4/(8 k^5). */
+/* What is left of k^-2 sqrt(k^2 - x^2), k > x, without its first two terms 1/k and -x^2/(2 k^3),
+ * for which Int_0^inf J_mu J_mu' dk is known ([DLMF] 10.22.57): 1/(2 mu) on the diagonal; for k^-3
+ * 1/(4 (mu - 1) mu (mu + 1)) there and 1/(8 mu (mu + 1) (mu + 2)) beside it. It falls like x^4/(8
+ * k^5). */
 static double remainder_above(double x, double kappa, double root) {
   const double ratio = x / kappa, square = ratio * ratio;
   if (square < 1e-2) { /* the series, where the difference would cancel */
@@ -154,13 +157,15 @@ static bool open_source(Open *open, const TbAirPlan *plan, TbArena *scratch,
   return true;
 }
 
-/* Where the nodes of C(x) may end: what is left changes a load by less than 1e-5, of a drum 1e-3. */
+/* Where the nodes of C(x) may end: what is left changes a load by less than 1e-5, of a drum 1e-3.
+ */
 static double open_top(const TbAirPlan *plan) {
   if (plan->precision.digits < 8.0) return fmax(24.0, 2.0 * plan->x + 14.0);
   return fmax(30.0, fmax(2.0 * plan->x + 20.0, plan->zero + 10.0));
 }
 
-/* ---- one head ---------------------------------------------------------------------------------- */
+/* ---- one head ----------------------------------------------------------------------------------
+ */
 
 static TbAirPlan plan_of(const TbAirOrder *order, double x, const TbAirPoint *points,
                          uint32_t point_count, TbAirPrecision precision) {
@@ -256,7 +261,8 @@ bool tb_air_baffled(const TbAirOrder *order, TbArena *scratch, bool both_sides, 
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, &source, 1, fields);
 }
 
-/* ---- a drum ------------------------------------------------------------------------------------ */
+/* ---- a drum ------------------------------------------------------------------------------------
+ */
 
 /* The bracket of air.h's resistance at one node below x; `second` may be NULL. */
 static double drum_integrand(const TbWavenumberNodes *nodes, const TbAirSource *first,

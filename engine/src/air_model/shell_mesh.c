@@ -10,8 +10,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* A panel is as long as the distance to the target times this at most; nearer than this to the axis a
- * point counts as that far off. */
+/* A panel is as long as the distance to the target times this at most; nearer than this to the axis
+ * a point counts as that far off. */
 static const double LONGEST_PANEL = 3.0, LEAST_RADIUS = 1e-4;
 enum { MOST_SPLITS = 7 };
 
@@ -53,7 +53,8 @@ void tb_shell_basis(const double *parameters, uint32_t count, bool odd, double t
   }
 }
 
-/* ---- one part of the surface as seen from a target --------------------------------------------- */
+/* ---- one part of the surface as seen from a target ---------------------------------------------
+ */
 
 /* The upper cap or the upper half of the side, or its mirror image. */
 typedef struct Part {
@@ -147,13 +148,15 @@ static void add_part(const Part *part, Terms *rows) {
   add_towards(part, rows, near, 1.0);
 }
 
-/* ---- the singular terms of one target ---------------------------------------------------------- */
+/* ---- the singular terms of one target ----------------------------------------------------------
+ */
 
 static Terms *terms_of(const TbShellMesh *mesh, uint32_t m, uint32_t target, uint32_t odd) {
   return mesh->terms + (((size_t)m * mesh->targets + target) * 2 + odd) * mesh->nodes;
 }
 
-/* Adds what a part gives to the rows of both symmetries; a mirror image is the same or the negative. */
+/* Adds what a part gives to the rows of both symmetries; a mirror image is the same or the
+ * negative. */
 static void gather(const Part *part, const Terms *rows, uint32_t target) {
   const TbShellMesh *mesh = part->mesh;
   const uint32_t count = nodes_of(part);
@@ -181,9 +184,11 @@ static bool add_target(const TbShellMesh *mesh, TbArena *scratch, uint32_t targe
   return true;
 }
 
-/* ---- the smooth rest --------------------------------------------------------------------------- */
+/* ---- the smooth rest ---------------------------------------------------------------------------
+ */
 
-/* Sums over the angles between a target and a circle of the surface: s, f and f cos t, with cos(m t). */
+/* Sums over the angles between a target and a circle of the surface: s, f and f cos t, with cos(m
+ * t). */
 typedef struct Sums {
   double single[2], dipole[2], turned[2];
 } Sums;
@@ -221,8 +226,8 @@ static TbCircle circle_of(const TbShellMesh *mesh, uint32_t node, uint32_t mirro
   return mirrored ? (TbCircle){circle.r, -circle.z} : circle;
 }
 
-/* Adds the rest of both layers on a node, or its mirror image, to a target's rows: of the single layer
- * divided by x, of the double layer by x^3. */
+/* Adds the rest of both layers on a node, or its mirror image, to a target's rows: of the single
+ * layer divided by x, of the double layer by x^3. */
 static void add_rest(const TbShellMesh *mesh, uint32_t target, uint32_t node, uint32_t mirrored,
                      const Sums *sums, TbShellRow *even, TbShellRow *odd) {
   const TbCircle s = mesh->circles[target], circle = circle_of(mesh, node, mirrored);
@@ -270,7 +275,8 @@ static void add_step(const TbShellMesh *mesh, uint32_t step) {
   }
 }
 
-/* ---- rows at any x ----------------------------------------------------------------------------- */
+/* ---- rows at any x -----------------------------------------------------------------------------
+ */
 
 /* From the rests, which come in without their powers of x, to whole rows. */
 static void finish_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
@@ -325,7 +331,8 @@ void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, 
   finish_rows(mesh, m, target, x, rows);
 }
 
-/* ---- all of it --------------------------------------------------------------------------------- */
+/* ---- all of it ---------------------------------------------------------------------------------
+ */
 
 /* Along the cap the integrand r dr is odd in t, so the rule is one in t^2. */
 static void place_cap(TbShellMesh *mesh) {

@@ -9,19 +9,21 @@
 #include "math/portable_math.h"
 #include "math/quadrature.h"
 
-/* ---- the shell --------------------------------------------------------------------------------- */
+/* ---- the shell ---------------------------------------------------------------------------------
+ */
 
 /* Points inside, as parts of radius and half depth: on no surface where many resonances vanish. */
 enum { INNER = 5 };
 static const TbCircle INSIDE[INNER] = {
   {0.32, 0.27}, {0.53, 0.61}, {0.71, 0.16}, {0.79, 0.47}, {0.88, 0.73}};
 
-/* With twelve nodes on a cap the loads of low modes are right to 1e-4 up to here. Where a wave has room
- * for many turns along the side, the largest x is lower, so that the side's nodes stay few. */
+/* With twelve nodes on a cap the loads of low modes are right to 1e-4 up to here. Where a wave has
+ * room for many turns along the side, the largest x is lower, so that the side's nodes stay few. */
 static const double TOP = 6.0, MOST_TURNS = 18.0;
 enum { CAP = 12, ORDERS = 12 };
 
-/* Below this part of the lowest resonance of the soft cylinder the equations on the surface do alone. */
+/* Below this part of the lowest resonance of the soft cylinder the equations on the surface do
+ * alone. */
 static const double SAFE = 0.9;
 
 static const double PI = 3.14159265358979323846;
@@ -42,7 +44,8 @@ bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbA
   return tb_shell_mesh_prepare(mesh, arena, size, inner, INNER, outer, point_count);
 }
 
-/* ---- one order --------------------------------------------------------------------------------- */
+/* ---- one order ---------------------------------------------------------------------------------
+ */
 
 /* Int (polynomial of j) J_m(z_i r) r dr, r = g(t). */
 static bool prepare_moments(TbShellOrder *order, TbArena *scratch) {
@@ -174,7 +177,8 @@ bool tb_shell_order_mass(const TbShellOrder *order, TbArena *scratch, double *ow
   return true;
 }
 
-/* ---- one motion -------------------------------------------------------------------------------- */
+/* ---- one motion --------------------------------------------------------------------------------
+ */
 
 /* w at the cap's nodes: the part of one symmetry. */
 static void project(const TbShellMotion *motion, uint32_t odd) {
@@ -292,7 +296,8 @@ bool tb_shell_solve(TbShellMotion *motion, TbArena *scratch, const TbShellOrder 
   return solve_symmetry(motion, scratch, rows, 0) && solve_symmetry(motion, scratch, rows, 1);
 }
 
-/* ---- fields ------------------------------------------------------------------------------------ */
+/* ---- fields ------------------------------------------------------------------------------------
+ */
 
 /* The double layer of I at a point outside. */
 static void add_reflection(const TbShellMotion *motion, const TbShellRow *rows, double field[2]) {

@@ -1,25 +1,25 @@
 /* SPDX-License-Identifier: MIT */
-/* The air outside a closed rigid shell whose caps are heads: mass, radiation resistance, pressure at
- * a point. Units as in air.h, h half the depth.
+/* The air outside a closed rigid shell whose caps are heads: mass, radiation resistance, pressure
+ * at a point. Units as in air.h, h half the depth.
  *
- * The pressure is -omega^2 rho0 R I cos(m theta) per unit amplitude. I satisfies Helmholtz' equation
- * outside, and dI/dn = -w on the surface, w the outward displacement: a head's on a cap, 0 on the
- * side. On the surface, outside it and inside the shell, in this order,
- *   {1/2, 1, 0} I(s) = Int I dG/dn' dS' + Int G w dS'.
- * shell_mesh.h turns both integrals into rows. The equations on the surface alone fail at the
- * resonances of a soft cylinder filled with air; those of a few points inside join them, and all are
- * solved by least squares [Schenck1968]. Motions that are even and odd in z are solved apart.
+ * The pressure is -omega^2 rho0 R I cos(m theta) per unit amplitude. I satisfies Helmholtz'
+ * equation outside, and dI/dn = -w on the surface, w the outward displacement: a head's on a cap, 0
+ * on the side. On the surface, outside it and inside the shell, in this order, {1/2, 1, 0} I(s) =
+ * Int I dG/dn' dS' + Int G w dS'. shell_mesh.h turns both integrals into rows. The equations on the
+ * surface alone fail at the resonances of a soft cylinder filled with air; those of a few points
+ * inside join them, and all are solved by least squares [Schenck1968]. Motions that are even and
+ * odd in z are solved apart.
  *
  * w is replaced by its projection on the polynomials of the nodes,
  *   w_j = Int (polynomial of j) w r dr/(weight of j),
  * which leaves out what oscillates more quickly than the nodes resolve. That does not reach round
  * the edge, and does not radiate. The low-frequency mass of a head has it: it is the full one of a
- * head in an infinite baffle, plus what the finite shell and the other head change. Pressures outside
- * have it as well: they are half the baffled fields of both heads (radiated_field.h), plus the
- * integral of I.
+ * head in an infinite baffle, plus what the finite shell and the other head change. Pressures
+ * outside have it as well: they are half the baffled fields of both heads (radiated_field.h), plus
+ * the integral of I.
  *
- * Loads: with p = I on the caps and w_i the Bessel functions of both heads, Re Int p w_i r dr is the
- * mass times the amplitudes, and -x Im Int p w r dr the resistance of w. Set-up only. */
+ * Loads: with p = I on the caps and w_i the Bessel functions of both heads, Re Int p w_i r dr is
+ * the mass times the amplitudes, and -x Im Int p w r dr the resistance of w. Set-up only. */
 #ifndef TB_SHELL_RADIATION_H
 #define TB_SHELL_RADIATION_H
 
@@ -48,8 +48,8 @@ typedef struct TbShellMotion {
   double resistance;
 } TbShellMotion;
 
-/* Prepares the shell of this depth, and the points outside where fields are wanted. Returns false if
- * memory ran out. */
+/* Prepares the shell of this depth, and the points outside where fields are wanted. Returns false
+ * if memory ran out. */
 bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbAirPoint *points,
                       uint32_t point_count);
 

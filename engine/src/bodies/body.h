@@ -5,11 +5,11 @@
  * moves surface s upward as
  *   w = (Sum_i v_i J_m(z_i r/R) + e (r/R)^m) {cos, sin}(m theta),  J_m(z_i) = 0,
  * v_i = vectors[s][k][i], e = edge[k] the motion of the edge. The sum vanishes at the edge, and its
- * coefficients fall as z_i^-3 where w is smooth, so that both together hold any edge. Normal modes are scaled to
- * unit modal mass [1 kg]; a shape value has unit 1.
+ * coefficients fall as z_i^-3 where w is smooth, so that both together hold any edge. Normal modes
+ * are scaled to unit modal mass [1 kg]; a shape value has unit 1.
  *
- * Everything after the set-up of a body sees this list alone. A kind of body (TbBodyKind) makes the list;
- * one folder below this one is one kind. Set-up only, where nothing else is said. */
+ * Everything after the set-up of a body sees this list alone. A kind of body (TbBodyKind) makes the
+ * list; one folder below this one is one kind. Set-up only, where nothing else is said. */
 #ifndef TB_BODY_H
 #define TB_BODY_H
 
@@ -65,12 +65,13 @@ typedef struct TbBody {
   TbBodyMode *modes;
   double radius;    /* [m] */
   double bandwidth; /* of the modes kept [Hz] */
-  bool
-    free_edge; /* the edge is the surface's own, without a hoop; else what lies on a surface moves with the edge */
+  bool free_edge;   /* the edge is the surface's own, without a hoop; else what lies on a surface
+                       moves with the edge */
   TaborHeadDef sheet[TB_HEADS]; /* of each surface: its mass, stiffness, losses, unevenness */
 } TbBody;
 
-/* ---- a kind of body --------------------------------------------------------------------------- */
+/* ---- a kind of body ---------------------------------------------------------------------------
+ */
 
 /* What the set-up of a body takes. */
 typedef struct TbBodyCost {
@@ -80,7 +81,8 @@ typedef struct TbBodyCost {
 } TbBodyCost;
 
 typedef struct TbBodyKind {
-  /* Turns what a definition asks for into what a body is built of: pitches into tensions. Explains what it refuses. */
+  /* Turns what a definition asks for into what a body is built of: pitches into tensions. Explains
+   * what it refuses. */
   TaborStatus (*resolve)(TaborDrumDef *def, const TbArena *beside, TaborError *error);
   /* The same by a formula, right to some per cent. */
   void (*resolve_roughly)(TaborDrumDef *def);
@@ -89,10 +91,11 @@ typedef struct TbBodyKind {
   /* The cost of `def`, which is `resolved` roughly, for the basis and the bandwidth of basis(). */
   TbBodyCost (*cost)(const TaborDrumDef *def, const TaborDrumDef *resolved, double basis_top,
                      double bandwidth, uint32_t most_modes);
-  /* The highest Bessel zero of the basis for modes up to `bandwidth` [Hz], and the bandwidth that it holds. */
+  /* The highest Bessel zero of the basis for modes up to `bandwidth` [Hz], and the bandwidth that
+   * it holds. */
   double (*basis)(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits, double *reached);
-  /* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies above it.
-   * Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
+  /* Prepares the modes up to `bandwidth` [Hz]: fewer if they are too many, none if the lowest lies
+   * above it. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
   TaborStatus (*prepare)(TbBody *body, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                          TbBodyLimits limits);
   bool all_two_way; /* every mode that is heard acts back on contacts; there is no high band */
@@ -104,19 +107,22 @@ typedef TaborStatus TbBuildOrder(const void *context, TbArena *arena, TbArena *s
                                  const TbAirOrder *air, TbBodyOrder *order, TbBodyMode *modes,
                                  uint32_t room);
 
-/* Builds the first `orders` orders one by one, as long as they have Bessel functions with zeros up to `basis_top`, and sorts the modes.
- * body->most_modes is set. */
+/* Builds the first `orders` orders one by one, as long as they have Bessel functions with zeros up
+ * to `basis_top`, and sorts the modes. body->most_modes is set. */
 TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top, uint32_t orders,
                                  TbBuildOrder *build, const void *context);
 
-/* The zero of the Bessel function whose waves have this frequency [Hz] on a sheet in air, at most TB_TOP_ZERO. */
+/* The zero of the Bessel function whose waves have this frequency [Hz] on a sheet in air, at most
+ * TB_TOP_ZERO. */
 double tb_body_wave_zero(const TaborHeadDef *sheet, const TaborAirDef *air, double radius,
                          double frequency);
 
-/* ---- what a model asks of a body -------------------------------------------------------------- */
+/* ---- what a model asks of a body --------------------------------------------------------------
+ */
 
 /* Int |grad w|^2 dA of one mode on surface `which`, of its cosine as of its sine copy:
- * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m e^2 of the edge, whose motion is harmonic. */
+ * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m e^2 of the edge, whose motion is harmonic.
+ */
 double tb_body_slope_square(const TbBody *body, uint32_t which, const TbBodyMode *mode);
 /* The lowest frequency of a mode that moves more than the rim [rad/s]. */
 double tb_body_lowest(const TbBody *body);
@@ -128,19 +134,20 @@ TaborModeInfo tb_body_mode_info(const TbBodyMode *mode);
  * patch[zero_count]. a = 0 gives 1. */
 void tb_body_patch(const TbBody *body, double patch_radius, double *patch);
 
-/* Radial shape of every row of modes at distance r [m] on surface `which`, relative to the lifted edge
- * and what it lifts: radial[row_count]. `patch` may be NULL. Audio-safe. */
+/* Radial shape of every row of modes at distance r [m] on surface `which`, relative to the lifted
+ * edge and what it lifts: radial[row_count]. `patch` may be NULL. Audio-safe. */
 void tb_body_radial(const TbBody *body, uint32_t which, double r, const double *patch,
                     double *radial);
 
-/* Adds the lift: radial[] is then the surface's whole motion. A mean over a disc is its value in the
- * middle. Audio-safe. */
+/* Adds the lift: radial[] is then the surface's whole motion. A mean over a disc is its value in
+ * the middle. Audio-safe. */
 void tb_body_add_lift(const TbBody *body, double r, double *radial);
 
 /* Motion of the hoop, radial[row_count]. Audio-safe. */
 void tb_body_hoop(const TbBody *body, double *radial);
 
-/* The same as tb_body_radial() from a table of all orders and zeros, within its 3e-11; `patch` is not NULL. Set-up only. */
+/* The same as tb_body_radial() from a table of all orders and zeros, within its 3e-11; `patch` is
+ * not NULL. Set-up only. */
 void tb_body_radial_tabled(const TbBody *body, const TbBesselTable *table, uint32_t which, double r,
                            const double *patch, double *radial);
 

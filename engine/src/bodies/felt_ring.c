@@ -7,7 +7,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Edges in units of R, and C [N s/m3]. A ring that is wider than its middle's distance allows is a disc. */
+/* Edges in units of R, and C [N s/m3]. A ring that is wider than its middle's distance allows is a
+ * disc. */
 typedef struct Ring {
   double edge[2]; /* inner, outer */
   double per_area;

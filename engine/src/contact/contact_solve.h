@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve of solve.h in one precision; contact_solve.c and contact_solvef.c have one each.
+/* The contact solve of solve.h in one precision; contact_solve.c and contact_solvef.c have one
+ * each.
  *
  * Single precision (`draft` and `live`) solves the same equations with twice as many numbers per
  * register, half as many bytes to move, and all wires taking part. A Newton step does not begin at
@@ -13,8 +14,9 @@
  * the energy that contacts store agree only to rounding: about 1e-7 of the energy that goes through
  * the contacts in a sample, with either sign. The
  * iteration ends where forces would lose up to 3e-6 of that energy; this loss is booked as lost in
- * contacts. Near rest, where forces change by rounding alone, they may lose or gain 1.5e-6 of it: of the stock snare drum's
- * 1e-13 J a sample then, 1e-14 W beside the 1e-8 W that a drum of 1e-9 J loses.
+ * contacts. Near rest, where forces change by rounding alone, they may lose or gain 1.5e-6 of it:
+ * of the stock snare drum's 1e-13 J a sample then, 1e-14 W beside the 1e-8 W that a drum of 1e-9 J
+ * loses.
  *
  * In double, an iteration that does not converge is balanced once more, up to half of the forces'
  * change away. Audio-safe. */

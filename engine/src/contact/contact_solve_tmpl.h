@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the contact solves of both precisions share (contact_solve.h): compiled with contact_solve.c and contact_solvef.c, which
- * have each precision's own input, Newton step and iteration; see real.h. */
+/* What the contact solves of both precisions share (contact_solve.h): compiled with contact_solve.c
+ * and contact_solvef.c, which have each precision's own input, Newton step and iteration; see
+ * real.h. */
 #ifndef TB_CONTACT_SOLVE_TMPL_H
 #define TB_CONTACT_SOLVE_TMPL_H
 
@@ -38,13 +39,15 @@ static uint32_t total_rows(const TbSolve *solve) {
   return solve->in.stride + (solve->in.slot_mask ? TB_SLOTS : 0u);
 }
 
-/* ---- what each precision brings --------------------------------------------------------------- */
+/* ---- what each precision brings ---------------------------------------------------------------
+ */
 
 /* The input, in the solve's own precision. */
 static const Real *b_of(const TbSolve *solve);
 static const Real *y_of(const TbSolve *solve);
 static const Real *contact_compliance_of(const TbSolve *solve);
-/* sqrt(y), and what a row's own point gives to a force there; NULL where the kernels do without them. */
+/* sqrt(y), and what a row's own point gives to a force there; NULL where the kernels do without
+ * them. */
 static const Real *root_of(const TbSolve *solve);
 static const Real *yield_of(const TbSolve *solve);
 /* Whether wire points take part at s. */

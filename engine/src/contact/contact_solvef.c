@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-/* The contact solve in single precision. Forces that move as if rows did not feel each other, and a balance along this change,
- * are accepted in some 97 of 100 samples of the stock snare. So this is tried first, in few passes over the rows that keep
- * nothing of the laws; the iteration takes the other samples from the beginning. */
+/* The contact solve in single precision. Forces that move as if rows did not feel each other, and a
+ * balance along this change, are accepted in some 97 of 100 samples of the stock snare. So this is
+ * tried first, in few passes over the rows that keep nothing of the laws; the iteration takes the
+ * other samples from the beginning. */
 #define TB_FLOAT
 #include "contact/contact_solve_tmpl.h"
 
@@ -39,7 +40,8 @@ static void yield_at_slots(TbSolve *solve) {
   }
 }
 
-/* The start from row `from` on: everything in single precision, s = b - M f of the last sample's forces. */
+/* The start from row `from` on: everything in single precision, s = b - M f of the last sample's
+ * forces. */
 static TbStartF start_at(TbSolve *solve, uint32_t from) {
   TbSolveWorkF *work = &solve->workf;
   return (TbStartF){.from_b = solve->in.b + from,
@@ -189,8 +191,8 @@ static float begin_slots(TbSolve *solve, TbStartF *size) {
                                   work->force + at, work->weight + at, work->solution + at);
 }
 
-/* Takes the input in, and moves forces as if each row's own yielding and the head's right below it were all. Returns the
- * largest change. */
+/* Takes the input in, and moves forces as if each row's own yielding and the head's right below it
+ * were all. Returns the largest change. */
 static float begin(TbSolve *solve, TbStartF *size) {
   const TbWireGridF *grid = solve->in.wire_gridf;
   *size = start_at(solve, 0);
@@ -268,9 +270,9 @@ static void give_trial(TbSolve *solve, const TbTrial *trial, TbSolveOutcome *out
 
 /* Whether the forces of begin() will do: they agree with the laws to `enough`, and balance.
  *
- * Near a drum's rest they agree to rounding, and change so little that no way along their change balances them. Then they
- * will do as they are if what they gain or lose is within the window of a balance. If it is not, no iteration in this
- * precision makes them better: `rounded`. */
+ * Near a drum's rest they agree to rounding, and change so little that no way along their change
+ * balances them. Then they will do as they are if what they gain or lose is within the window of a
+ * balance. If it is not, no iteration in this precision makes them better: `rounded`. */
 static bool settles_at_once(TbSolve *solve, TbStartF size, float enough, bool *rounded,
                             TbSolveOutcome *outcome) {
   const TbSolveWorkF *work = &solve->workf;

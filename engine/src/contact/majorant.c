@@ -15,7 +15,8 @@ static const double WORK_TOLERANCE = 1e-13;
 
 static uint32_t total_rows(const TbSolve *solve) { return solve->in.stride + TB_SLOTS; }
 
-/* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp. */
+/* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp.
+ */
 static double majorant_curvature(const TbContactLaw *law, double y, double b, double free) {
   double sp = free > 0.0 ? free : 0.0;
   if (b > sp) sp = 0.5 * (sp + b);
@@ -37,8 +38,8 @@ static double largest_curvature(const TbContactLaw *law) {
   return tb_contact_law_curvature(law, 1e3);
 }
 
-/* Force at s = 0 and half the curvature of every row's majorant; `safe` where the last one failed: what
- * touched at its s takes the largest curvature. */
+/* Force at s = 0 and half the curvature of every row's majorant; `safe` where the last one failed:
+ * what touched at its s takes the largest curvature. */
 static void prepare_majorants(TbSolve *solve, bool safe) {
   for (uint32_t row = 0; row < total_rows(solve); row++) {
     const TbContactLaw *law = law_of(solve, row);

@@ -60,8 +60,8 @@ size_t tb_edit_distance(const char *a, const char *b);
 
 /** One step of the search for the candidate that may have been meant by @p word. True if at most a
  * third of the word differs from @p candidate, and it is nearer than *smallest, which becomes its
- * distance; start with SIZE_MAX. The distance is tb_edit_distance(), except that the start of a word
- * counts as near to the word. */
+ * distance; start with SIZE_MAX. The distance is tb_edit_distance(), except that the start of a
+ * word counts as near to the word. */
 bool tb_word_is_nearer(const char *word, const char *candidate, size_t *smallest);
 
 #endif /* TABOR_SRC_TEXT_H */

@@ -322,8 +322,8 @@ double tb_deviate(uint32_t seed, uint32_t index) {
   return (2 * whole + 1) * 0x1p-52 - 1;
 }
 
-/* Place of a wire between the lowest, -1, and the highest, 1: evenly spaced, in an order that is drawn.
- * The generator's numbers up to here are those of tensions. */
+/* Place of a wire between the lowest, -1, and the highest, 1: evenly spaced, in an order that is
+ * drawn. The generator's numbers up to here are those of tensions. */
 static double rest_place(const TaborWiresDef *wires, uint32_t index) {
   enum { FIRST_DRAW = 1 << 16 };
   if (wires->count < 2) return 0;
@@ -337,7 +337,8 @@ static double rest_place(const TaborWiresDef *wires, uint32_t index) {
   return (double)(2 * rank - steps) / steps;
 }
 
-/* The pitch of wires keeps its distance from the head's where their tension is in proportion to its own. */
+/* The pitch of wires keeps its distance from the head's where their tension is in proportion to its
+ * own. */
 static double shared_tension(const TaborDrumDef *def) {
   const TaborWiresDef *const wires = &def->wires;
   const bool below = wires->head == TABOR_HEAD_RESONANT;

@@ -53,7 +53,8 @@
     LUG(13, id, section, place), LUG(14, id, section, place), LUG(15, id, section, place),         \
     LUG(16, id, section, place)
 
-/* A head, whose parameters are numbered from `first` on. The heads differ in their usual sheets [N/m, kg/m2, N m]. */
+/* A head, whose parameters are numbered from `first` on. The heads differ in their usual sheets
+ * [N/m, kg/m2, N m]. */
 #define HEAD(first, section, place, tension_text, usual_tension, usual_density, usual_stiffness)   \
   {ROW((first) + TB_HEAD_TENSION, section, "tension", "N/m", tension_text,                         \
        NUMBER(100, 20000, usual_tension), LOGARITHMIC),                                            \
@@ -194,8 +195,8 @@ const TbParam tb_params[] = {
 
   HEAD(TB_PARAM_BATTER, "batter", IN_BATTER, "tension of the head", 3000, 0.262, 0.0023),
   /* The usual snare-side head: 3 mil (76 um) of Mylar, 1390 kg/m3, E = 3.8 GPa, nu = 0.3, so that
-   * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material, hence
-   * its losses. */
+   * E h^3/(12 (1 - nu^2)) = 1.5e-4 N m; about as tight as the batter, and of the same material,
+   * hence its losses. */
   HEAD(TB_PARAM_RESONANT, "resonant", IN_RESONANT, "tension of the lower head", 2600, 0.105,
        1.5e-4),
 

@@ -172,8 +172,8 @@ typedef enum TbParamId {
   TB_PARAM_ROOM_LEVEL = 1504
 } TbParamId;
 
-/** Structure of a row's section: one struct; one struct that may be absent (resonant, plate); or an array of elements
- * with a number or a name. */
+/** Structure of a row's section: one struct; one struct that may be absent (resonant, plate); or an
+ * array of elements with a number or a name. */
 typedef enum TbGroup {
   TB_GROUP_SINGLE,
   TB_GROUP_RESONANT,

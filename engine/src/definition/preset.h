@@ -18,7 +18,8 @@ typedef struct TbPreset {
 extern const TbPreset tb_presets[];
 extern const uint32_t tb_preset_count;
 
-/** A row of a table by its name. NULL, with an error that calls it a @p what and suggests a similar name, if there is none. */
+/** A row of a table by its name. NULL, with an error that calls it a @p what and suggests a similar
+ * name, if there is none. */
 const TbPreset *tb_preset_find(const TbPreset *table, uint32_t count, const char *what,
                                const char *name, TaborError *error);
 

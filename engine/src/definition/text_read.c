@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Texts of sections and keys: tabor_text_read(). The whole text is checked before its first line is given. */
+/* Texts of sections and keys: tabor_text_read(). The whole text is checked before its first line is
+ * given. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -25,7 +26,8 @@ typedef struct Line {
   Span value; /* of a pair */
 } Line;
 
-/* A name that must not occur twice in its scope: scope 0 has the sections, scope n the keys of the n-th. */
+/* A name that must not occur twice in its scope: scope 0 has the sections, scope n the keys of the
+ * n-th. */
 typedef struct Name {
   uint32_t scope, number; /* number of its line */
   Span span;

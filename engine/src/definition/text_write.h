@@ -17,12 +17,16 @@ typedef struct TbTextWriter {
   TaborError *error; /**< may be NULL */
 } TbTextWriter;
 
-/** Begins an empty text. Errors: @p text NULL although @p size is not 0; @p form none of TaborTextForm. */
+/** Begins an empty text. Errors: @p text NULL although @p size is not 0; @p form none of
+ * TaborTextForm. */
 TbTextWriter tb_text_write_begin(char *text, size_t size, uint32_t form, TaborError *error);
-/** Begins a section, with an empty line before it unless it is the first; @p section has @p length bytes. */
+/** Begins a section, with an empty line before it unless it is the first; @p section has @p length
+ * bytes. */
 void tb_text_write_section(TbTextWriter *writer, const char *section, size_t length);
 /**
- * Writes "key = value" for the full key @p full, of which @p key is the part behind the section, with "; [unit] what" behind it, or above it where the line would be too long; @p unit and @p what may be
+ * Writes "key = value" for the full key @p full, of which @p key is the part behind the section,
+ * with "; [unit] what" behind it, or above it where the line would be too long; @p unit and @p what
+ * may be
  * "" or NULL. A value that would read back otherwise is an error.
  */
 void tb_text_write_pair(TbTextWriter *writer, const char *full, const char *key, const char *value,

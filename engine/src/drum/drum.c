@@ -104,7 +104,8 @@ static bool act_on(TbView *view, const TaborEvent *event) {
   return acts;
 }
 
-/* Drums that play what the drum plays: itself, and former models until the new one's sound has come. */
+/* Drums that play what the drum plays: itself, and former models until the new one's sound has
+ * come. */
 static uint32_t players(const TaborDrum *drum) {
   uint32_t count = 1;
   for (const TbTail *tail = drum->tails; tail && tail->crosses; tail = tail->before) count++;

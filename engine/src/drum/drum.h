@@ -54,7 +54,8 @@ struct TaborSwap {
   atomic_bool used, acted;      /* the event has come; nothing is left to be done but to ring out */
 };
 
-/* Sound from outside during a block, and the drum's own before it travels; any pointer may be NULL. */
+/* Sound from outside during a block, and the drum's own before it travels; any pointer may be NULL.
+ */
 typedef struct TbDrumAir {
   uint32_t mic;          /* at whose place the sound's source is */
   bool low;              /* the low modes alone hear it (model.h) */
@@ -67,7 +68,8 @@ typedef struct TbDrumAir {
 /* Returns event `index` as the drum is to carry it out, or NULL if it is not for this drum. */
 typedef const TaborEvent *TbEventAddress(const void *context, uint32_t index);
 
-/* Events of a block of which a drum plays a piece. A list for several drums holds others' events, too. */
+/* Events of a block of which a drum plays a piece. A list for several drums holds others' events,
+ * too. */
 typedef struct TbEventList {
   const TaborEvent *first;
   size_t stride;           /* from one event to the next [bytes] */
@@ -87,9 +89,11 @@ TbAirEnergy tb_drum_air_energy(const TaborDrum *drum);
 TbRoute tb_route_plain(const TaborModel *model);
 /* Outputs as a caller has chosen them. */
 TbRoute tb_route_chosen(const TaborModel *model, const uint8_t *mics, uint32_t count);
-/* Carries out a swap event; `anew` if the drum is replaced. Returns false if it does not apply. Audio-safe. */
+/* Carries out a swap event; `anew` if the drum is replaced. Returns false if it does not apply.
+ * Audio-safe. */
 bool tb_swap_act(TaborDrum *drum, TaborSwap *swap, bool anew);
-/* Carries out a silence event. Returns false if the drum was at rest or silenced already. Audio-safe. */
+/* Carries out a silence event. Returns false if the drum was at rest or silenced already.
+ * Audio-safe. */
 bool tb_silence(TaborDrum *drum);
 
 #endif

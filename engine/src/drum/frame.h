@@ -15,8 +15,8 @@ typedef struct TbFrameAir {
   double tapped;   /* out [Pa] */
 } TbFrameAir;
 
-/* Advances the state by one frame, asleep or not; pressure[] as for tb_step(). Sound from outside wakes the
- * drum. `air` may be NULL. */
+/* Advances the state by one frame, asleep or not; pressure[] as for tb_step(). Sound from outside
+ * wakes the drum. `air` may be NULL. */
 void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* A silence: the sounding drum becomes a tail, and the drum goes on at rest in the tail's memory. Wires that a live
- * value has moved are moved from their rest again, which taps on the head. That is not heard: the drum is
- * hushed until it sleeps or is played. */
+/* A silence: the sounding drum becomes a tail, and the drum goes on at rest in the tail's memory.
+ * Wires that a live value has moved are moved from their rest again, which taps on the head. That
+ * is not heard: the drum is hushed until it sleeps or is played. */
 #include <math.h>
 #include <string.h>
 

@@ -6,15 +6,15 @@
  * With t = w_d k, im = (q- - q cos t0)/sin t0, c = sqrt(sin t0/sin t1),
  *   q' = c q, q-' = c (q cos t1 + im sin t1);
  * the energy then follows w1/w0. Modes are matched by (m, place in their order, cosine or sine),
- * which is right while only tensions, masses, losses or quality changed; if the axis turns by d (TaborModel.axis), copies a and b
- * become a cos(m d) + b sin(m d) and b cos(m d) - a sin(m d). For another radius,
- * boundary or side, and where the drum is to be replaced, the old drum rings out beside the new one.
- * Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy (c sin t1/k1)^2 then follows w1/w0 exactly;
- * what is no mode keeps place and velocity.
+ * which is right while only tensions, masses, losses or quality changed; if the axis turns by d
+ * (TaborModel.axis), copies a and b become a cos(m d) + b sin(m d) and b cos(m d) - a sin(m d). For
+ * another radius, boundary or side, and where the drum is to be replaced, the old drum rings out
+ * beside the new one. Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy
+ * (c sin t1/k1)^2 then follows w1/w0 exactly; what is no mode keeps place and velocity.
  *
- * Sound on its way to the microphones and the high band do not continue on another model. So the old model
- * plays on for 8 ms, in which the new one's sound travels 2.7 m, and then fades for 8 ms against the new one's.
- * Audio-safe but for tb_swap_map(). */
+ * Sound on its way to the microphones and the high band do not continue on another model. So the
+ * old model plays on for 8 ms, in which the new one's sound travels 2.7 m, and then fades for 8 ms
+ * against the new one's. Audio-safe but for tb_swap_map(). */
 #include <math.h>
 #include <string.h>
 
@@ -318,7 +318,8 @@ static void carry_high(const TbView *from, TbView *to) {
   to->state->high.push = from->state->high.push;
 }
 
-/* In another model modes come to rest, heads to be linear, and what contacts do to modes is summed, anew. */
+/* In another model modes come to rest, heads to be linear, and what contacts do to modes is summed,
+ * anew. */
 static void carry_rest(const TbView *from, TbView *to) {
   if (from->model->fingerprint != to->model->fingerprint) return;
   to->state->airborne = from->state->airborne;
@@ -369,7 +370,8 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   carry_sound(swap, from, to);
 }
 
-/* The tail gets the old drum's state, and the swap its spare memory and its reference to the model. */
+/* The tail gets the old drum's state, and the swap its spare memory and its reference to the model.
+ */
 static void exchange(TaborDrum *drum, TaborSwap *swap) {
   TbState *const state = swap->tail->state;
   TbTail *const spare = swap->spare;

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Tails: what a drum was before swaps, replacements and silences, while it is still heard.
  *
- * Each tail is a whole drum with a weight w(n) = min(1, left(n)/(length + 1)), which falls to 0. A tail that
- * *rings out* is added beside what came after it. A tail that *crosses* is the same drum on its former model: it
- * shares the weight of what came after it, w against 1 - w, and events act on both. Audio-safe but for
- * tb_tail_create() and tb_tail_destroy(). */
+ * Each tail is a whole drum with a weight w(n) = min(1, left(n)/(length + 1)), which falls to 0. A
+ * tail that *rings out* is added beside what came after it. A tail that *crosses* is the same drum
+ * on its former model: it shares the weight of what came after it, w against 1 - w, and events act
+ * on both. Audio-safe but for tb_tail_create() and tb_tail_destroy(). */
 #ifndef TB_TAILS_H
 #define TB_TAILS_H
 
@@ -31,8 +31,9 @@ TbTail *tb_tail_create(TaborModel *model);
 /* Ignores NULL. */
 void tb_tail_destroy(const TaborAllocator *allocator, TbTail *tail);
 
-/* Puts `tail`, whose state and microphones are set, in front of the drum's others. At most four sound: a further
- * one ends the oldest. It keeps its weight for `hold` samples, then fades over `fade`. */
+/* Puts `tail`, whose state and microphones are set, in front of the drum's others. At most four
+ * sound: a further one ends the oldest. It keeps its weight for `hold` samples, then fades over
+ * `fade`. */
 void tb_tails_begin(TaborDrum *drum, TbTail *tail, uint32_t hold, uint32_t fade);
 /* Lets all tails end within `samples`. */
 void tb_tails_shorten(TaborDrum *drum, uint32_t samples);

@@ -4,9 +4,10 @@
  * A head is displaced at radius r_i and angle t_j by a sum over its modes,
  *   w(r_i, t_j) = Sum_m (C_m(r_i) cos(m t_j) + S_m(r_i) sin(m t_j)),
  *   C_m(r_i) = Sum over the modes of order m of R(r_i) q,
- * R the mode's radial shape relative to the bearing edge (bodies/body.h), q its displacement with that of rest; S_m
- * likewise of the sine copies; t counts from the model's axis. So there are tables of R over radii and of cosines
- * over angles, and none over both. Limiting case: at the centre w is the probe's height. */
+ * R the mode's radial shape relative to the bearing edge (bodies/body.h), q its displacement with
+ * that of rest; S_m likewise of the sine copies; t counts from the model's axis. So there are
+ * tables of R over radii and of cosines over angles, and none over both. Limiting case: at the
+ * centre w is the probe's height. */
 #ifndef TB_VIEW_H
 #define TB_VIEW_H
 

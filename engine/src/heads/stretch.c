@@ -27,8 +27,8 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
   return w[0] * along[0] + w[1] * along[1];
 }
 
-/* side r = side Y^T g Phi at the slots: the solve needs r but for its sign, and on the grid under the wires
- * displacements of their head are the simpler. */
+/* side r = side Y^T g Phi at the slots: the solve needs r but for its sign, and on the grid under
+ * the wires displacements of their head are the simpler. */
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
@@ -56,7 +56,8 @@ static void prepare_grid(TbView *view) {
   }
 }
 
-/* With single precision, G off its diagonal loses or creates energy as rounding has it: some 1e-8 of what it stores. */
+/* With single precision, G off its diagonal loses or creates energy as rounding has it: some 1e-8
+ * of what it stores. */
 static void mix(const TbView *view, const double *q) {
   const TaborModel *model = view->model;
   void (*const mixes[])(const TbMixing *mixing, const TbParts *moving, const double *x,
@@ -92,7 +93,8 @@ static double square_of(const TbView *view, uint32_t h, const double *next, cons
 
 /* ---- whether heads stretch ------------------------------------------------------------------ */
 
-/* 124 dB. Less lifts a head by 0.1 mm between two looks of has_risen(), which is about what `least` is. */
+/* 124 dB. Less lifts a head by 0.1 mm between two looks of has_risen(), which is about what `least`
+ * is. */
 static const double LOUD_AIR = 30.0; /* [Pa] */
 
 /* A stick, or loud sound from outside, raises the tension within a few steps. */
@@ -184,7 +186,8 @@ static void move_alone(const TbView *view) {
   }
 }
 
-/* One pass moves the modes and finds the sums of tb_stretch_free(); what sound from outside adds to them is known then. */
+/* One pass moves the modes and finds the sums of tb_stretch_free(); what sound from outside adds to
+ * them is known then. */
 void tb_stretch_move(TbView *view) {
   const TaborModel *model = view->model;
   view->stretch.count = count_stretching(view);

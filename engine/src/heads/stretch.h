@@ -4,10 +4,11 @@
  * Berger's approximation, one scalar per head h [Berger1955, NSS]: the tension rises by S/(2A) Int
  * |grad w|^2 dA,
  *   U_h = S_h/(8 A) (q^T G_h q)^2,  q^T G_h q = Int |grad w_h|^2 dA,
- * S [N/m] the sheet's stretching stiffness, A its area. G_h couples modes of one order; model/stretch_mixing.h says which of
- * its terms off the diagonal are kept. Modes up to 96 times the lowest
- * frequency count: a hard stroke leaves as much of q^T G q in every kilohertz that it excites, so that few modes are
- * several dB off on a bass drum. q counts from rest: the sag under gravity is some 0.1 mm.
+ * S [N/m] the sheet's stretching stiffness, A its area. G_h couples modes of one order;
+ * model/stretch_mixing.h says which of its terms off the diagonal are kept. Modes up to 96 times
+ * the lowest frequency count: a hard stroke leaves as much of q^T G q in every kilohertz that it
+ * excites, so that few modes are several dB off on a bass drum. q counts from rest: the sag under
+ * gravity is some 0.1 mm.
  *
  * Over two steps, with y_h = G_h q^n and theta_h = y_h.(q+ + q-)/2,
  *   force -(S_h/2A) theta_h y_h, stored energy S_h/(8A) (q+^T G_h q^n)^2, exactly conservative.
@@ -22,10 +23,11 @@
 
 #include "state/state.h"
 
-/* Draft and live (TbStretch.hold): a head whose tension has not risen by a 2 000th for 20 ms, while no stick is in play
- * and no loud sound comes from outside, moves as a linear one until one of these comes or, every 64th step, its tension is
- * found to have risen. The pitch is then 0.4 cents too low at most. What the stretch stores, at most S/(8A) (q^T G q)^2 =
- * (A/2S) dT^2, some 1e-7 J, goes and comes back by control. */
+/* Draft and live (TbStretch.hold): a head whose tension has not risen by a 2 000th for 20 ms, while
+ * no stick is in play and no loud sound comes from outside, moves as a linear one until one of
+ * these comes or, every 64th step, its tension is found to have risen. The pitch is then 0.4 cents
+ * too low at most. What the stretch stores, at most S/(8A) (q^T G q)^2 = (A/2S) dT^2, some 1e-7 J,
+ * goes and comes back by control. */
 
 /* The modes' free motion, into view->next. */
 void tb_stretch_move(TbView *view);
@@ -38,8 +40,8 @@ void tb_stretch_yield(TbView *view, double *slots);
 /* solve.warm.product, M f, holds the last step's stretch; puts this step's in its place. Call
  * before the solve, which starts from M f and moves along it. */
 void tb_stretch_renew(TbView *view);
-/* Finds the stretch force, which the last pass over the modes adds (step.c). Call after the contacts have moved the modes. They changed Y^T q+ by
- * -r f, so theta is known. */
+/* Finds the stretch force, which the last pass over the modes adds (step.c). Call after the
+ * contacts have moved the modes. They changed Y^T q+ by -r f, so theta is known. */
 void tb_stretch_respond(TbView *view);
 /* Call after `product` was recomputed without any stretch. */
 void tb_stretch_clear(TbView *view);

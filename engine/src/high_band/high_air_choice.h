@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
-/* Which modes of the enclosed air the high band radiates and offers for its choice (high_band.h): a few dozen in each
- * sixth of an octave, where a floor tom has thousands. Fewer than twice TB_AIR_MET, evenly spread, are looked at.
- * The more the batter head has of a mode, the more likely that is kept:
- *   p = min(1, b/(n <b>)), b = in_head, <b> its mean over the order, n the modes for each one that is kept,
- * and stands for 1/p modes. The energy that strokes bring to a microphone grows with b, so that few of those kept stand
- * out. They are drawn by summing p, not by chance. Set-up only. */
+/* Which modes of the enclosed air the high band radiates and offers for its choice (high_band.h): a
+ * few dozen in each sixth of an octave, where a floor tom has thousands. Fewer than twice
+ * TB_AIR_MET, evenly spread, are looked at. The more the batter head has of a mode, the more likely
+ * that is kept: p = min(1, b/(n <b>)), b = in_head, <b> its mean over the order, n the modes for
+ * each one that is kept, and stands for 1/p modes. The energy that strokes bring to a microphone
+ * grows with b, so that few of those kept stand out. They are drawn by summing p, not by chance.
+ * Set-up only. */
 #ifndef TB_HIGH_AIR_CHOICE_H
 #define TB_HIGH_AIR_CHOICE_H
 
@@ -37,8 +38,8 @@ typedef struct TbAirChoices {
 /* Plans for the modes between two frequencies [rad/s]. */
 void tb_high_air_plan(TbHighAirPlan *plan, const TaborDrumDef *def, double from, double to);
 
-/* Chooses from the modes of one order, and lets those that it looks at take their part of the heads' functions. `mode` is
- * scratch. Returns false if memory ran out. */
+/* Chooses from the modes of one order, and lets those that it looks at take their part of the
+ * heads' functions. `mode` is scratch. Returns false if memory ran out. */
 bool tb_air_choose(TbHighAirPlan *plan, TbArena *arena, TbHighCavity *cavity, TbAirMode *mode,
                    TbAirChoices *chosen);
 

@@ -64,8 +64,8 @@ static uint32_t copies_for(const Candidates *all, double part) {
   return copies;
 }
 
-/* A microphone that hardly hears the modes kept for the others goes without: they would sound out of all
- * proportion there, and random trials found one where they were infinite. */
+/* A microphone that hardly hears the modes kept for the others goes without: they would sound out
+ * of all proportion there, and random trials found one where they were infinite. */
 static const double LEAST_KEPT = 1e-3;
 
 /* Makes `count` modes from `from` on as loud at each microphone as the whole band up to `end`. */

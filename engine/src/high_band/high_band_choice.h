@@ -7,7 +7,8 @@
 
 #define TB_SIXTHS 80u /* of an octave, from 20 Hz on */
 
-/* The sixth of an octave that has the frequency omega, and the frequency where one begins [rad/s]. */
+/* The sixth of an octave that has the frequency omega, and the frequency where one begins [rad/s].
+ */
 uint32_t tb_sixth_of(double omega);
 double tb_sixth_from(uint32_t sixth);
 
@@ -17,8 +18,8 @@ bool tb_high_modes_same_band(const TbHighMode *a, const TbHighMode *b);
 /* The energy that a unit force on the mode's head brings to microphone `mic`. */
 double tb_high_mode_energy(const TbHighDrum *drum, const TbHighMode *mode, uint32_t mic);
 
-/* Keeps the loudest of each sixth of an octave, in place: 99.9 % of its energy, less if those were more than `most` with
- * copies. They carry what is left out. */
+/* Keeps the loudest of each sixth of an octave, in place: 99.9 % of its energy, less if those were
+ * more than `most` with copies. They carry what is left out. */
 TbHighModes tb_high_modes_thin(const TbHighDrum *drum, TbHighMode *candidates, uint32_t count,
                                uint32_t most);
 

@@ -18,8 +18,9 @@ static const double TOP_ZERO = 240.0; /* orders stay below TB_MAX_ORDERS */
 static const double AIR_REACH =
   2.0; /* the air's integrals end below this many times the top zero */
 enum { MOST_ZEROS = 96, MOST_CANDIDATES = 16384 };
-/* Orders below this, of a single head, radiate each mode by itself: near the centre they sound alone, a few in
- * a third of an octave, and what the edge and their coupling make of each is 4 dB more or less. */
+/* Orders below this, of a single head, radiate each mode by itself: near the centre they sound
+ * alone, a few in a third of an octave, and what the edge and their coupling make of each is 4 dB
+ * more or less. */
 enum { WHOLE_ORDERS = 4 };
 
 /* What the edge and the coupling of modes by the air make of a Bessel function's baffled radiation:
@@ -75,8 +76,8 @@ static double x_at(const Builder *b, double omega) {
   return omega * b->drum->body->radius / b->drum->def->air.sound_speed;
 }
 
-/* The microphones that choose the modes: those inside the shell only where there are no others. So a
- * microphone inside changes nothing that the others hear. */
+/* The microphones that choose the modes: those inside the shell only where there are no others. So
+ * a microphone inside changes nothing that the others hear. */
 static uint32_t choosers(const Builder *b, uint32_t *mics) {
   if (b->outside_count > 0) {
     memcpy(mics, b->outside, sizeof b->outside);
@@ -118,8 +119,8 @@ static bool radiate_outside(const Builder *b, const Side *side, const TbAirOrder
   return done;
 }
 
-/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate. `slope`:
- * J_{m+1}(zero) */
+/* A Bessel function with its baffled radiation: scale, fields and both parts of the decay rate.
+ * `slope`: J_{m+1}(zero) */
 static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, double slope,
                     TbHighMode *c) {
   const TaborDrumDef *def = b->drum->def;
@@ -144,8 +145,8 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
 /* True if the high band has modes of the enclosed air. */
 static bool has_air_modes(const Builder *b) { return b->air.to > b->air.from; }
 
-/* Fields of a function at the microphones inside: `in_head` is the part that its head has of it in the mean. What the
- * air rings on by itself is heard of its own modes, or else of this one. */
+/* Fields of a function at the microphones inside: `in_head` is the part that its head has of it in
+ * the mean. What the air rings on by itself is heard of its own modes, or else of this one. */
 static void fill_inside(const Builder *b, double in_head, TbHighMode *c) {
   const Inside *inside = &b->inside;
   const bool rings = has_air_modes(b) && c->omega < b->air.to;
@@ -180,7 +181,8 @@ static bool meets_air(const Builder *b, uint32_t head) {
   return has_air_modes(b) && b->drum->wired_head != head;
 }
 
-/* What modes of the air take of Bessel function n. The factors of the edge have what they take in the mean. */
+/* What modes of the air take of Bessel function n. The factors of the edge have what they take in
+ * the mean. */
 static void leave_to_air(const TbHighCavity *air, const EdgeFactors *edge, uint32_t n,
                          TbHighMode *c) {
   double air_rate;
@@ -227,8 +229,8 @@ static uint32_t head_of(const TbBodyMode *mode) {
   return mode->part == TABOR_PART_RESONANT ? 1 : TB_HEADS;
 }
 
-/* What a force finds of a two-way mode on a head, in the mean over the head: against a Bessel function by itself, of
- * unit modal mass with this slope at the edge. */
+/* What a force finds of a two-way mode on a head, in the mean over the head: against a Bessel
+ * function by itself, of unit modal mass with this slope at the edge. */
 static double part_in_head(const TbBodyOrder *order, uint32_t k, uint32_t head, double slope) {
   const double *v = order->vectors[head] + (size_t)k * order->zero_count;
   double square = 0.0;
@@ -371,8 +373,9 @@ static void find_functions(Builder *b, uint32_t m) {
 /* Beyond the fastest wave of the air, whose radial order is then among those prepared. */
 static const double SPARE_ZEROS = 4.0;
 
-/* Radial orders that the air's modes have or that come as far as a microphone inside: those faster than sound, and slower
- * ones up to where e^-(z' d/R), d the distance from the nearest head, is 1e-3. */
+/* Radial orders that the air's modes have or that come as far as a microphone inside: those faster
+ * than sound, and slower ones up to where e^-(z' d/R), d the distance from the nearest head, is
+ * 1e-3. */
 static double inside_zero(const Builder *b) {
   const TaborDrumDef *def = b->drum->def;
   double nearest = INFINITY;
@@ -386,7 +389,8 @@ static double inside_zero(const Builder *b) {
 
 /* ---- the enclosed air ------------------------------------------------------------------------ */
 
-/* The wave of a mode of the air on the batter head, which strikers strike. It is as loud as `count` of its kind. */
+/* The wave of a mode of the air on the batter head, which strikers strike. It is as loud as `count`
+ * of its kind. */
 static void add_air_wave(Builder *b, const TbAirMode *mode, double count, const double *fields) {
   if (b->count == MOST_CANDIDATES) return;
   TbHighMode *c = &b->candidates[b->count];

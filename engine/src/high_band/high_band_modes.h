@@ -5,8 +5,8 @@
 
 #include "bodies/body.h"
 
-/* One Bessel function of one head, or a mode of the enclosed air with the wave that it is on a head; cosine and sine
- * copies together, at unit modal mass. */
+/* One Bessel function of one head, or a mode of the enclosed air with the wave that it is on a
+ * head; cosine and sine copies together, at unit modal mass. */
 typedef struct TbHighMode {
   uint32_t head, m;
   bool of_air;

@@ -24,7 +24,8 @@ static TbCavity air_at(const TbHighCavity *cavity, double omega) {
 
 static uint32_t heads_of(const TbHighCavity *cavity) { return cavity->def->two_headed ? 2 : 1; }
 
-/* ---- the heads' functions ---------------------------------------------------------------------- */
+/* ---- the heads' functions ----------------------------------------------------------------------
+ */
 
 static bool prepare_waves(TbHighCavity *cavity, TbArena *arena, uint32_t head) {
   const TbAirOrder *functions = &cavity->functions;
@@ -57,7 +58,8 @@ bool tb_high_cavity_prepare(TbHighCavity *cavity, TbArena *arena, const TaborDru
   return true;
 }
 
-/* ---- a mode ------------------------------------------------------------------------------------ */
+/* ---- a mode ------------------------------------------------------------------------------------
+ */
 
 double tb_high_cavity_omega(const TbHighCavity *cavity, uint32_t radial, uint32_t axial) {
   const double across = cavity->order->zeros[radial] / cavity->def->shell.radius;
@@ -80,7 +82,8 @@ static double unit_coupling(const TbHighCavity *cavity, const TbCavity *air, con
   return -area * omega * air->sound_speed * sqrt(air->density / norm);
 }
 
-/* Sets outward[] to t_i. Returns Sum t_i^2, and adds their part of omega^2 - omega_c^2 to *square. */
+/* Sets outward[] to t_i. Returns Sum t_i^2, and adds their part of omega^2 - omega_c^2 to *square.
+ */
 static double couple(const TbHighCavity *cavity, uint32_t head, double coupling, const double *w,
                      double omega, TbAirMode *mode, double *square) {
   const TbHeadWaves *waves = &cavity->waves[head];
@@ -157,7 +160,8 @@ double tb_high_cavity_taken(const TbHighCavity *cavity, uint32_t head, uint32_t 
   return sum / (to - from + 1u);
 }
 
-/* ---- what is heard of it ----------------------------------------------------------------------- */
+/* ---- what is heard of it -----------------------------------------------------------------------
+ */
 
 /* The microphones outside that face a head. */
 typedef struct Listeners {
@@ -233,7 +237,8 @@ void tb_high_cavity_wave(const TbHighCavity *cavity, const TbAirMode *mode, uint
   if (mode->omega < waves->omega[i] || i + 1 == functions->count) return;
   const double along = (mode->omega - waves->omega[i]) / (waves->omega[i + 1] - waves->omega[i]);
   *zero += along * (functions->zeros[i + 1] - functions->zeros[i]);
-  /* Int_0^1 J_m(z r)^2 r dr = (J_m'(z)^2 + (1 - m^2/z^2) J_m(z)^2)/2 [DLMF] 10.22.5, at a zero J_{m+1}(z)^2/2 */
+  /* Int_0^1 J_m(z r)^2 r dr = (J_m'(z)^2 + (1 - m^2/z^2) J_m(z)^2)/2 [DLMF] 10.22.5, at a zero
+   * J_{m+1}(z)^2/2 */
   double j[2];
   tb_bessel_pair(functions->m, *zero, j);
   const double order = (double)functions->m / *zero, slope = order * j[0] - j[1];

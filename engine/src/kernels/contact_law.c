@@ -86,7 +86,8 @@ double tb_contact_law_curvature(const TbContactLaw *law, double eta) {
 }
 
 /* Mean of K eta^a over (x, y), both in the power's range, for an exponent without closed form: the
- * exact integral where it does not cancel, else six Gauss points, whose error (h/y)^12 is nil there. */
+ * exact integral where it does not cancel, else six Gauss points, whose error (h/y)^12 is nil
+ * there. */
 static double mean_general(const TbContactLaw *law, double x, double y) {
   static const double NODE[3] = {0.2386191860831969, 0.6612093864662645, 0.9324695142031521};
   static const double WEIGHT[3] = {0.4679139345726910, 0.3607615730481386, 0.1713244923791704};

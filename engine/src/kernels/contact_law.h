@@ -15,10 +15,11 @@
  * Limits: s -> 0 gives f = V'(y); lambda = 0 gives f s = DV exactly. A damper (a hand) is the
  * linear contact f = c s/(2k), V = 0.
  *
- * The force above is the mean of the true one over 2k: a linear contact has the stiffness K cos(omega k), which is none
- * at a quarter of the rate and negative beyond. Strikers' contacts store V at the mean of two instants instead, in terms
- * of their sum: Y(n) = eta(n) + eta(n-1), W(Y) = 2 V(Y/2), f = (W(Y+s) - W(Y))/s, with the same s. A linear contact then
- * has K cos(omega k/2)^2. W is V with K/2^a, so that the formulas above stay, with y = Y; contacts store W(Y)/2.
+ * The force above is the mean of the true one over 2k: a linear contact has the stiffness K
+ * cos(omega k), which is none at a quarter of the rate and negative beyond. Strikers' contacts
+ * store V at the mean of two instants instead, in terms of their sum: Y(n) = eta(n) + eta(n-1),
+ * W(Y) = 2 V(Y/2), f = (W(Y+s) - W(Y))/s, with the same s. A linear contact then has K cos(omega
+ * k/2)^2. W is V with K/2^a, so that the formulas above stay, with y = Y; contacts store W(Y)/2.
  * Audio-safe. */
 #ifndef TB_CONTACT_LAW_H
 #define TB_CONTACT_LAW_H

@@ -25,16 +25,17 @@ typedef struct TbPair {
 
 enum { TB_MODE_PARTS = 13 };
 
-/* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads whose bits are set in
- * heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with others: of parts of the same kin, and of those of kin
- * 0. Those behind them, up to end[i], stretch none. */
+/* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads
+ * whose bits are set in heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with
+ * others: of parts of the same kin, and of those of kin 0. Those behind them, up to end[i], stretch
+ * none. */
 typedef struct TbParts {
   uint32_t count, from[TB_MODE_PARTS], size[TB_MODE_PARTS], mixed[TB_MODE_PARTS],
     end[TB_MODE_PARTS], heads[TB_MODE_PARTS], kin[TB_MODE_PARTS];
 } TbParts;
 
-/* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows stand 8 side by side, those
- * of the second head right behind those of the first. */
+/* Modes of one order and copy that mix on the heads that stretch (model/stretch_mixing.h). Rows
+ * stand 8 side by side, those of the second head right behind those of the first. */
 typedef struct TbMixingBlock {
   uint32_t count;
   const uint32_t *mode; /* [count] */
@@ -51,7 +52,8 @@ typedef struct TbMixing {
   TbMixingBlock *block;
 } TbMixing;
 
-/* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the other's pull alone. */
+/* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the
+ * other's pull alone. */
 typedef struct TbStretching {
   const double *a, *b;                  /* [modes], as all arrays: of the two-step recursion */
   const double *gain[2], *g, *q, *last; /* q at the present instant */
@@ -61,8 +63,8 @@ typedef struct TbStretching {
   double along[2], own[2][2];           /* out */
 } TbStretching;
 
-/* The end of a step of the modes: what heads' stretching adds, what the modes have lost then, by origin, and what one microphone
- * hears of them. */
+/* The end of a step of the modes: what heads' stretching adds, what the modes have lost then, by
+ * origin, and what one microphone hears of them. */
 typedef struct TbModesEnd {
   bool stretched;
   uint32_t origins;                                        /* 2 or 3 */

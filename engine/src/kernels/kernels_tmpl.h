@@ -27,8 +27,8 @@ typedef struct TB_TYPE(TbRing) {
   TB_REAL *next;
 } TB_TYPE(TbRing);
 
-/* Scattering of eight modes of the high band (high_band_step.h): `draw` is from -1 to 1, and walk + wires held the
- * square of the turn per step that its size is of. Arrays are [8]. */
+/* Scattering of eight modes of the high band (high_band_step.h): `draw` is from -1 to 1, and walk +
+ * wires held the square of the turn per step that its size is of. Arrays are [8]. */
 typedef struct TB_TYPE(TbScattering) {
   const TB_REAL *a, *b, *walk, *held, *draw, *now;
   TB_REAL wires;
@@ -71,8 +71,9 @@ typedef struct TB_TYPE(TbBalance) {
 } TB_TYPE(TbBalance);
 
 #if TB_REAL_IS_FLOAT
-/* One pass over the rows of wires, `lanes` rows each, at the forces f + t g of TbBalance. `balance` has its sums; `way` is
- * the largest |s|, `lost` Sum s (law - mean), `touching` the number of slopes > 0. */
+/* One pass over the rows of wires, `lanes` rows each, at the forces f + t g of TbBalance. `balance`
+ * has its sums; `way` is the largest |s|, `lost` Sum s (law - mean), `touching` the number of
+ * slopes > 0. */
 typedef struct TbTrial {
   uint32_t wires, lanes;
   const TbContactLaw *laws;
@@ -104,13 +105,14 @@ typedef struct TB_TYPE(TbKernels) {
   void (*gemv)(uint32_t blocks, uint32_t n, TB_REAL *out, const TB_REAL *matrix, const TB_REAL *x);
   /* out[v][8 b + l] = Sum_i matrix[b][i][l] x[v][i], i < part; in double, i ascending */
   void (*gemm)(const TB_TYPE(TbGather) * gather);
-  /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q` are 0. */
+  /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q`
+   * are 0. */
   void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]);
   /* next = a now - b last + share push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*resonate)(const TB_TYPE(TbRing) * ring);
-  /* turn = 2 sqrt(b) cos(p + d), p the turn per step of a, d = draw sqrt(walk + wires held). `last` follows, so that the
-   * motion keeps amplitude and phase at `now`. Modes with walk = 0 stay. */
+  /* turn = 2 sqrt(b) cos(p + d), p the turn per step of a, d = draw sqrt(walk + wires held). `last`
+   * follows, so that the motion keeps amplitude and phase at `now`. Modes with walk = 0 stay. */
   void (*turn_phases)(const TB_TYPE(TbScattering) * scattering);
 
   /* ---- contacts (solve.h), in either precision ---------------------------------------------- */
@@ -163,17 +165,18 @@ typedef struct TB_TYPE(TbKernels) {
   /* b = (side w - (v - v_last)) + load. Returns true if y or y + b is above -TB_NEAR anywhere. */
   bool (*penetrate)(uint32_t n, float side, const float *w, const double *v, const double *v_last,
                     const double *load, const double *y, double *b);
-  /* `start` for the rows of wires, and the laws there: f = f_last + (law - f_last)/(1 + slope yield). Returns the largest
-   * change of f. */
+  /* `start` for the rows of wires, and the laws there: f = f_last + (law - f_last)/(1 + slope
+   * yield). Returns the largest change of f. */
   float (*start_newton_diagonal)(uint32_t wires, uint32_t lanes, const TbContactLaw *laws,
                                  TbStartF *start, float *f);
-  /* The laws at s = b - p - t (p - p_last), never stored: `trial_at_forces` takes t = 0, and finds `way` and `miss`, too. */
+  /* The laws at s = b - p - t (p - p_last), never stored: `trial_at_forces` takes t = 0, and finds
+   * `way` and `miss`, too. */
   void (*trial_at_forces)(TbTrial *trial);
   void (*trial_moved)(TbTrial *trial);
   /* `finish` without the sums of the laws. */
   void (*finish_forces)(uint32_t n, const TbEndF *end);
-  /* With `firm` = 1 + slope yield: weight = sqrt(slope), f += (law - f)/firm, and x with law + weight x
-   * = f. Returns the largest change of f. */
+  /* With `firm` = 1 + slope yield: weight = sqrt(slope), f += (law - f)/firm, and x with law +
+   * weight x = f. Returns the largest change of f. */
   float (*newton_diagonal)(uint32_t n, const float *law, const float *slope, const float *yield,
                            float *f, float *weight, float *x);
   /* r = -(x + weight (p - before)), d = r; the largest |weight r|/firm and Sum r r. */
@@ -202,8 +205,8 @@ typedef struct TB_TYPE(TbKernels) {
   void (*step_and_stretch)(const TbParts *parts, TbStretching *stretching);
   /* Sum pull_h x, of the modes that stretch head h */
   TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[2], const double *x);
-  /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`, and Sum ahead next and
-   * Sum behind next. */
+  /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`,
+   * and Sum ahead next and Sum behind next. */
   void (*end_modes)(const TbParts *parts, TbModesEnd *end);
   /* next += g (sound.first now + sound.second before) */
   void (*push_by_sound)(const TbParts *parts, TbPair sound, const double *now, const double *before,
@@ -216,8 +219,8 @@ typedef struct TB_TYPE(TbKernels) {
   /* sums[i] = Sum w[i] d^2, d = next - last, for i < count, 2 or 3 */
   void (*losses)(uint32_t n, uint32_t count, const double *const w[3], const double *next,
                  const double *last, double sums[3]);
-  /* Sum over 8 lanes i of (Sum_j ahead[j][i] (next - now) + behind[j][i] (last - now))^2, with next, now and last at
-   * mode[j], for `count` modes. */
+  /* Sum over 8 lanes i of (Sum_j ahead[j][i] (next - now) + behind[j][i] (last - now))^2, with
+   * next, now and last at mode[j], for `count` modes. */
   double (*radiated_power)(uint32_t count, const uint32_t *mode, const double *ahead,
                            const double *behind, const double *next, const double *now,
                            const double *last);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The passes of the contact solve's usual course (contact_solvef.c), with the laws in them: forces, slopes and means of the
- * laws stay in registers. In single precision alone; for kernels_tmpl.c alone. */
+/* The passes of the contact solve's usual course (contact_solvef.c), with the laws in them: forces,
+ * slopes and means of the laws stay in registers. In single precision alone; for kernels_tmpl.c
+ * alone. */
 #ifndef TB_SIMD_CONTACT_TRIAL_H
 #define TB_SIMD_CONTACT_TRIAL_H
 
@@ -51,7 +52,8 @@ static INLINE LawBlock law_block(const WireLaw *law, uint32_t power, Lanes y, La
   default: pass(0, __VA_ARGS__); break;                                                            \
   }
 
-/* ---- from the last forces to the first try ---------------------------------------------------- */
+/* ---- from the last forces to the first try ----------------------------------------------------
+ */
 
 typedef struct Beginning {
   StartSizes sizes;
@@ -84,7 +86,8 @@ static float start_newton_diagonal(uint32_t wires, uint32_t lanes, const TbConta
   return largest_of(beginning.move);
 }
 
-/* ---- a try ------------------------------------------------------------------------------------ */
+/* ---- a try ------------------------------------------------------------------------------------
+ */
 
 typedef struct TrialSums {
   Lanes value, derivative, size, miss, way, lost, touching;
@@ -146,7 +149,8 @@ static void trial_at_forces(TbTrial *trial) { try_wires(true, trial); }
 
 static void trial_moved(TbTrial *trial) { try_wires(false, trial); }
 
-/* ---- the end ---------------------------------------------------------------------------------- */
+/* ---- the end ----------------------------------------------------------------------------------
+ */
 
 static void finish_forces(uint32_t n, const End *whole) {
   const End copy = *whole, *at = &copy; /* no store changes the copy */

@@ -384,8 +384,8 @@ static INLINE void store_double(double *p, Lanes x) { store(p, x); }
 
 /* ---- one number from eight ------------------------------------------------------------------ */
 
-/* join() adds ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7])); largest_of() gives the
- * largest lane, or 0 if all are negative. */
+/* join() adds ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7])); largest_of() gives
+ * the largest lane, or 0 if all are negative. */
 #if defined(__wasm_simd128__)
 /* Two lanes: the upper half of a register of floats is joined with the lower one. */
 static INLINE Vector upper_half(Vector x) { return (Vector)wasm_i64x2_shuffle(x, x, 1, 1); }

@@ -83,8 +83,8 @@ static void turn_phases(const TYPE_OF(TbScattering) * scattering) {
         pick(walks, pick(swings, scale(multiply_lanes(r, after.c), REAL(2.0)), turn), turn));
 }
 
-/* Compilers of WebAssembly read all of a loop's body before they compute. Twelve registers of doubles
- * and eight of sums are more than a processor has, and the sums would live in memory. */
+/* Compilers of WebAssembly read all of a loop's body before they compute. Twelve registers of
+ * doubles and eight of sums are more than a processor has, and the sums would live in memory. */
 #if defined(__wasm_simd128__) && !defined(TB_FLOAT)
 static TbPair two_dots(uint32_t n, const Real *u, const Real *v, const Real *x) {
   return (TbPair){dot(n, u, x), dot(n, v, x)};

@@ -15,10 +15,12 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
   }
 }
 
-/* ---- heads that stretch ----------------------------------------------------------------------- */
+/* ---- heads that stretch -----------------------------------------------------------------------
+ */
 
-/* In the functions of this part, `steps` and `mixed` are constants at every call. `steps`: whether next is computed or read. They read a copy of the
- * struct, or the compiler would have to assume that a store changes it. */
+/* In the functions of this part, `steps` and `mixed` are constants at every call. `steps`: whether
+ * next is computed or read. They read a copy of the struct, or the compiler would have to assume
+ * that a store changes it. */
 static INLINE Lanes next_of(bool steps, const TbStretching *s, uint64_t i, Lanes q, Lanes last) {
   if (!steps) return load(s->next + i);
   const Lanes next =
@@ -136,7 +138,8 @@ static TbPair stretch_dots(const TbParts *parts, const double *const pull[2], co
   return (TbPair){join(first), join(second)};
 }
 
-/* ---- the end of a step ------------------------------------------------------------------------ */
+/* ---- the end of a step ------------------------------------------------------------------------
+ */
 
 typedef struct EndSums {
   Lanes lost[3], ahead, behind;

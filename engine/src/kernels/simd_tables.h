@@ -12,14 +12,15 @@
 /* Most blocks of rows at once: what fits the registers beside a table's entry. */
 enum { MOST_SUMS = SINGLE ? 8 : 6 };
 
-/* Number of blocks to take at once, of `left` and at most `most`: about equal shares, since a small one is dear. */
+/* Number of blocks to take at once, of `left` and at most `most`: about equal shares, since a small
+ * one is dear. */
 static INLINE uint32_t share_of(uint32_t left, uint32_t most) {
   const uint32_t turns = (left + most - 1u) / most;
   return (left + turns - 1u) / turns;
 }
 
-/* `count` blocks of rows side by side, a constant at every call, by the first n of their `width` columns. `rounded`: the table
- * holds floats. */
+/* `count` blocks of rows side by side, a constant at every call, by the first n of their `width`
+ * columns. `rounded`: the table holds floats. */
 static INLINE void multiply_blocks(bool rounded, uint32_t count, uint32_t n, uint32_t width,
                                    Real *out, const void *table, uint32_t block, const Real *x) {
   const uint64_t stride = 8u * (uint64_t)width, from = stride * block;
@@ -71,9 +72,10 @@ static void gemv(uint32_t blocks, uint32_t n, Real *out, const Real *matrix, con
 
 typedef TYPE_OF(TbGather) Gather;
 
-/* Most sums at once, blocks of rows times vectors: what fits the registers of every instruction set beside a table's entry.
- * In single precision a row has several partial sums where there are few sums, so that an addition seldom waits for the one
- * before, and a turn of the loop takes several columns. In double each row has one sum, in ascending order. */
+/* Most sums at once, blocks of rows times vectors: what fits the registers of every instruction set
+ * beside a table's entry. In single precision a row has several partial sums where there are few
+ * sums, so that an addition seldom waits for the one before, and a turn of the loop takes several
+ * columns. In double each row has one sum, in ascending order. */
 enum { GATHER_SUMS = SINGLE ? 6 : 4, GATHER_COLUMNS = SINGLE ? 4 : 1 };
 
 static INLINE uint32_t ways_of(uint32_t sums) {
@@ -168,7 +170,8 @@ static void gemm(const Gather *g) {
   }
 }
 
-/* ---- modes that mix --------------------------------------------------------------------------- */
+/* ---- modes that mix ---------------------------------------------------------------------------
+ */
 
 /* So many modes move at most: those behind rest. */
 static INLINE uint32_t up_to_rest(const TbMixingBlock *block, const TbParts *moving) {

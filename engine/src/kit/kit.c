@@ -54,7 +54,8 @@ static uint32_t note_of(const TaborKitEvent *event) {
   return note < TABOR_KIT_NOTES ? note : TABOR_KIT_NOTES;
 }
 
-/* Passes over the piece's events once the drums have played them; counts those that are for none. */
+/* Passes over the piece's events once the drums have played them; counts those that are for none.
+ */
 static void pass_events(TaborKit *kit) {
   TbKitPiece *const piece = &kit->now;
   const uint32_t end = piece->start + piece->frames;
@@ -91,7 +92,8 @@ static bool set_value(TaborKit *kit, const TaborEvent *event) {
   return true;
 }
 
-/* What is the kit's own in an event: values and sounds of notes. `offset` is its frame of the piece. */
+/* What is the kit's own in an event: values and sounds of notes. `offset` is its frame of the
+ * piece. */
 static void act(TaborKit *kit, const TaborKitEvent *event, uint32_t offset) {
   const uint32_t note = note_of(event), type = event->event.type;
   const bool ends = type == TABOR_EVENT_SILENCE || type == TABOR_EVENT_RESET;
@@ -114,7 +116,8 @@ static uint32_t act_until(TaborKit *kit, uint32_t next, uint32_t until, uint32_t
   return next;
 }
 
-/* Factors of each frame of the piece; what comes past the block's end acts at its last frame, as in a drum. */
+/* Factors of each frame of the piece; what comes past the block's end acts at its last frame, as in
+ * a drum. */
 static void follow_values(TaborKit *kit) {
   TbKitPiece *const piece = &kit->now;
   uint32_t next = piece->next;
@@ -208,7 +211,8 @@ static bool is_wanted(const TbKitVoice *voice, uint32_t mic, float *const *mics)
   return mics && mics[mic];
 }
 
-/* A TaborKitJob: the drum's part of the piece, on any thread. It writes to nothing but its voice. */
+/* A TaborKitJob: the drum's part of the piece, on any thread. It writes to nothing but its voice.
+ */
 static void play(void *context, uint32_t drum) {
   TaborKit *const kit = context;
   const TbFpMode mode = tb_fp_enter();
@@ -375,8 +379,8 @@ const TaborKitDef *tabor_kit_definition(const TaborKit *kit) { return &kit->def;
 
 static const double LOUDEST = 1e15; /* as of a drum's state */
 
-/* What a saved state begins with. Each drum's sound in the air and its own state follow, then the room's state, then
- * a checksum of all these bytes. */
+/* What a saved state begins with. Each drum's sound in the air and its own state follow, then the
+ * room's state, then a checksum of all these bytes. */
 typedef struct StateHead {
   uint64_t size, frame, dropped, muffled;
   double passed[TABOR_KIT_DRUMS][2];

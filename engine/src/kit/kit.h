@@ -1,17 +1,20 @@
 /* SPDX-License-Identifier: MIT */
-/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between two drums
- * (kit_create.c), so that the drums of a piece do not depend on each other. tabor/kit.h has the equations.
+/* A sounding kit. It is computed in pieces that are shorter than the shortest way of sound between
+ * two drums (kit_create.c), so that the drums of a piece do not depend on each other. tabor/kit.h
+ * has the equations.
  *
- * Low-pass. A mode's weight in the air is that at its own frequency. Far above it the weights of all modes do not add up
- * to what a drum radiates there, which directivity keeps small, but rise with the square of the frequency. So drums
- * hear of each other what passes a Butterworth filter of second order, -3 dB at TB_KIT_HIGHEST; it adds sqrt(2)/w to
- * the way. Higher notes move heads too little to matter.
+ * Low-pass. A mode's weight in the air is that at its own frequency. Far above it the weights of
+ * all modes do not add up to what a drum radiates there, which directivity keeps small, but rise
+ * with the square of the frequency. So drums hear of each other what passes a Butterworth filter of
+ * second order, -3 dB at TB_KIT_HIGHEST; it adds sqrt(2)/w to the way. Higher notes move heads too
+ * little to matter.
  *
- * Bound. Drums that feed each other must not grow louder for ever. Let S be the energy of all strokes, R what all
- * drums have radiated and I the work of the air on them; drums lose, so R <= S + I. The air is silent while
- * I > R TB_KIT_CAUGHT, judged every TB_KIT_PIECE frames: then R <= (S + D)/(1 - TB_KIT_CAUGHT), D what the air can
- * do in this time; for that the pressure that a drum hears is limited to TB_KIT_LOUDEST. Between neighbours in a kit
- * I/R is below a hundredth, and the pressure some 20 Pa. */
+ * Bound. Drums that feed each other must not grow louder for ever. Let S be the energy of all
+ * strokes, R what all drums have radiated and I the work of the air on them; drums lose, so R <= S
+ * + I. The air is silent while I > R TB_KIT_CAUGHT, judged every TB_KIT_PIECE frames: then R <= (S
+ * + D)/(1 - TB_KIT_CAUGHT), D what the air can do in this time; for that the pressure that a drum
+ * hears is limited to TB_KIT_LOUDEST. Between neighbours in a kit I/R is below a hundredth, and the
+ * pressure some 20 Pa. */
 #ifndef TB_KIT_H
 #define TB_KIT_H
 
@@ -41,7 +44,8 @@ typedef struct TbKitVoice {
   double passed[2]; /* memory of the low-pass on it */
   uint32_t quiet;   /* frames since it was not 0, up to the ring's length */
   uint8_t before;   /* drum of the kit that is followed, or TABOR_KIT_NEW */
-  /* Of the drum, or NULL: with which it goes on, then those of before that still sound (drum/tails.h: four). */
+  /* Of the drum, or NULL: with which it goes on, then those of before that still sound
+   * (drum/tails.h: four). */
   TaborSwap *swaps[TB_KIT_SWAPS];
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;

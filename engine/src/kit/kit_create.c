@@ -13,7 +13,8 @@
 #include "math/portable_math.h"
 #include "model/model.h"
 
-/* ---- the mix ---------------------------------------------------------------------------------- */
+/* ---- the mix ----------------------------------------------------------------------------------
+ */
 
 static void prepare_mix(TbKitVoice *voice, const TaborKitDrumDef *def) {
   const double gain = tb_kit_factor(def->gain);
@@ -35,11 +36,13 @@ static double head_start(const TbKitVoice *voice) {
   return way * model->sample_rate - (double)model->mics[voice->air].travel / model->steps;
 }
 
-/* The shortest way between heads [s], 11 cm: what is nearer is heard this much late, so that the drums of a kit are computed
- * many samples at once, and seldom wait for each other on several threads. */
+/* The shortest way between heads [s], 11 cm: what is nearer is heard this much late, so that the
+ * drums of a kit are computed many samples at once, and seldom wait for each other on several
+ * threads. */
 static const double LEAST_WAY = 1.0 / 3000.0;
 
-/* At the distance of the kit's microphone a drum's pressure is what it says; it falls with the distance. */
+/* At the distance of the kit's microphone a drum's pressure is what it says; it falls with the
+ * distance. */
 static void prepare_way(TaborKit *kit, uint32_t to, uint32_t from) {
   TbKitVoice *const voice = &kit->voices[to];
   const TaborDrumDef *const def = &kit->voices[from].model->def;
@@ -56,8 +59,8 @@ static void prepare_way(TaborKit *kit, uint32_t to, uint32_t from) {
     tb_kit_factor(kit->def.coupling) * tb_hypot(mic->radius, mic->height) / near;
 }
 
-/* A low-pass of Butterworth's of second order by the bilinear rule: g (1 + 1/z)^2/(1 + low[1]/z + low[2]/z^2), with
- * t = tan(pi f/rate). */
+/* A low-pass of Butterworth's of second order by the bilinear rule: g (1 + 1/z)^2/(1 + low[1]/z +
+ * low[2]/z^2), with t = tan(pi f/rate). */
 static void prepare_low_pass(TaborKit *kit, double rate) {
   double sine, cosine;
   tb_sin_cos_degrees(180.0 * TB_KIT_HIGHEST / rate, &sine, &cosine);
@@ -86,7 +89,8 @@ static void prepare_ways(TaborKit *kit) {
 
 /* ---- the room -------------------------------------------------------------------------------- */
 
-/* The room asks for a drum: one of no importance 0.7 m above the floor, in the middle under the overheads. */
+/* The room asks for a drum: one of no importance 0.7 m above the floor, in the middle under the
+ * overheads. */
 static TaborStatus create_room(TaborKit *kit, double rate, TaborError *error) {
   static const double DRUM_HEIGHT = 0.7; /* [m], as in room/room.h */
   static const char *const NAMES[2] = {TABOR_KIT_LEFT, TABOR_KIT_RIGHT};

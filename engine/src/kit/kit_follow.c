@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* A kit that goes on with the drums of another one while they ring.
  *
- * Both kits are whole. The follower exchanges drums with the one before: a drum of the same model goes on as it is, one of
- * another model swaps (drum/swap.c). What the other one keeps, drums that are left and a room that is another one, rings on
- * there. Sound on its way in the air goes on as far as the shorter of both rings reaches. */
+ * Both kits are whole. The follower exchanges drums with the one before: a drum of the same model
+ * goes on as it is, one of another model swaps (drum/swap.c). What the other one keeps, drums that
+ * are left and a room that is another one, rings on there. Sound on its way in the air goes on as
+ * far as the shorter of both rings reaches. */
 #include <math.h>
 #include <string.h>
 
@@ -123,7 +124,8 @@ static void leave_drums(TaborKit *kit, const TaborKit *from) {
   }
 }
 
-/* From where they are to what this kit's definition says; the coupling's factor is beside the definition's. */
+/* From where they are to what this kit's definition says; the coupling's factor is beside the
+ * definition's. */
 static void take_values(TaborKit *kit, const TaborKit *from) {
   const double ratio = tb_kit_factor(from->def.coupling) / tb_kit_factor(kit->def.coupling);
   kit->overheads.now = from->overheads.now;

@@ -22,8 +22,9 @@ TbPoint tb_kit_overhead(const TaborKitDef *def, int side) {
   return (TbPoint){def->overhead_x + aside, def->overhead_y, def->overhead_height};
 }
 
-/* A direction of the kit's frame in the drum's own: Rodrigues' rotation by -tilt about the axis k = (-sin f, cos f, 0),
- * across which the batter head, at first looking up, tilts towards f = facing. */
+/* A direction of the kit's frame in the drum's own: Rodrigues' rotation by -tilt about the axis k =
+ * (-sin f, cos f, 0), across which the batter head, at first looking up, tilts towards f = facing.
+ */
 static TbPoint to_drum(const TaborKitDrumDef *drum, TbPoint v) {
   double sine, cosine, along, across;
   tb_sin_cos_degrees(drum->tilt, &sine, &cosine);

@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: MIT */
 /* Where the drums of a kit stand, and what each of them sees from there. Set-up only.
  *
- * A drum's own frame has its origin in the centre of the batter head, z along the axis, out of the drum. The kit's
- * frame becomes the drum's by a turn by `tilt` about the horizontal axis across `facing`. */
+ * A drum's own frame has its origin in the centre of the batter head, z along the axis, out of the
+ * drum. The kit's frame becomes the drum's by a turn by `tilt` about the horizontal axis across
+ * `facing`. */
 #ifndef TB_KIT_PLACE_H
 #define TB_KIT_PLACE_H
 
 #include "tabor/kit.h"
 
-/* Distance [m] at which a drum is heard for the others, large beside a drum: its pressure there is that of its sound
- * far away. */
+/* Distance [m] at which a drum is heard for the others, large beside a drum: its pressure there is
+ * that of its sound far away. */
 #define TB_KIT_FAR 9.0
 
 typedef struct TbPoint {

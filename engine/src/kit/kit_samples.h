@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* One shots: the sound files that notes of a kit play. They are added to the mix; no drum hears them, and the room does not.
- * A stroke of strength s is s^2 as loud as the file. Audio-safe but for tb_kit_sample_set() and tb_kit_samples_free(). */
+/* One shots: the sound files that notes of a kit play. They are added to the mix; no drum hears
+ * them, and the room does not. A stroke of strength s is s^2 as loud as the file. Audio-safe but
+ * for tb_kit_sample_set() and tb_kit_samples_free(). */
 #ifndef TB_KIT_SAMPLES_H
 #define TB_KIT_SAMPLES_H
 
@@ -40,7 +41,8 @@ typedef struct TbKitSamples {
   TbKitShots shots;
 } TbKitSamples;
 
-/* Gives a note its sound, converted from `from` to `to` [Hz]; `right` may be NULL. False if memory is short. */
+/* Gives a note its sound, converted from `from` to `to` [Hz]; `right` may be NULL. False if memory
+ * is short. */
 bool tb_kit_sample_set(TbKitSample *sample, const TaborKitNoteDef *def, const float *left,
                        const float *right, uint32_t frames, double from, double to,
                        const TaborAllocator *allocator);
@@ -48,8 +50,8 @@ void tb_kit_samples_free(TbKitSamples *samples, const TaborAllocator *allocator)
 
 /* Ends all strokes, and sets the gain to 1. */
 void tb_kit_samples_reset(TbKitSamples *samples);
-/* Does an event of `note`, `offset` frames into the next frames: a stroke of strength `velocity`, or a silence, which fades the
- * note and others of its group. False: it is for no sound. */
+/* Does an event of `note`, `offset` frames into the next frames: a stroke of strength `velocity`,
+ * or a silence, which fades the note and others of its group. False: it is for no sound. */
 bool tb_kit_samples_act(TbKitSamples *samples, uint32_t note, const TaborEvent *event,
                         uint32_t offset);
 /* Fades all. */

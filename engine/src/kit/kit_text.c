@@ -30,7 +30,8 @@ static TaborStatus refuse_unknown(const char *what, const char *text, TaborError
                       text);
 }
 
-/* A field @p name of a section, whose full key is @p key; the nearest name is that within the section. */
+/* A field @p name of a section, whose full key is @p key; the nearest name is that within the
+ * section. */
 static TaborStatus refuse_field(const TbKitField *fields, uint32_t count, const char *key,
                                 const char *name, TaborError *error) {
   const char *const nearest = nearest_field(fields, count, name);
@@ -125,7 +126,8 @@ static void new_drum(TaborKitDrumDef *drum, const char *name, size_t length) {
   }
 }
 
-/* Index of the drum whose name has `length` bytes, which may be the next new one; else the error. */
+/* Index of the drum whose name has `length` bytes, which may be the next new one; else the error.
+ */
 static TaborStatus find_drum(const TaborKitDef *def, const char *key, const char *text,
                              size_t length, uint32_t *drum, TaborError *error) {
   char name[TABOR_NAME_SIZE] = "";
@@ -166,7 +168,8 @@ static TaborStatus set_choke(uint32_t *choke, const char *key, const char *text,
   return tb_error_clear(error);
 }
 
-/* The next number of a list like "38, 40"; its length in bytes, 0 at the end or at what is no note. */
+/* The next number of a list like "38, 40"; its length in bytes, 0 at the end or at what is no note.
+ */
 static size_t next_note(const char **text, uint32_t *note) {
   *text += strspn(*text, " \t,");
   char digits[4] = "";

@@ -13,7 +13,8 @@ struct TbArenaChunk {
   char padding[TB_ALIGNMENT - sizeof(TbArenaChunk *)];
 };
 
-/* C11's aligned_alloc() is missing on Windows. The block that malloc() gave is remembered before the memory. */
+/* C11's aligned_alloc() is missing on Windows. The block that malloc() gave is remembered before
+ * the memory. */
 static void *system_allocate(size_t size, void *context) {
   (void)context;
   const size_t extra = TB_ALIGNMENT + sizeof(void *);

@@ -11,7 +11,8 @@
 
 typedef struct TbArenaChunk TbArenaChunk;
 
-/* Who waits for what is built: hears how far it is, and may end it. So does a limit on processor time. */
+/* Who waits for what is built: hears how far it is, and may end it. So does a limit on processor
+ * time. */
 typedef struct TbWatch {
   TaborBuildProgress go_on; /* or NULL */
   void *context;
@@ -36,8 +37,9 @@ TaborAllocator tb_allocator_resolve(const TaborAllocator *allocator);
 void tb_arena_prepare(TbArena *arena, const TaborAllocator *allocator);
 /* An arena with the allocator and the watch of another one. */
 void tb_arena_beside(TbArena *arena, const TbArena *other);
-/* Asks the watch, as each allocation does: call in loops without one, so that it is asked every 50 ms. If it cancels,
- * this arena and all that share the watch have failed. Returns false if the arena has failed. */
+/* Asks the watch, as each allocation does: call in loops without one, so that it is asked every 50
+ * ms. If it cancels, this arena and all that share the watch have failed. Returns false if the
+ * arena has failed. */
 bool tb_arena_go_on(TbArena *arena);
 /* The same when `part` of the stage is done, 0 to 1. */
 bool tb_arena_go_on_at(TbArena *arena, double part);

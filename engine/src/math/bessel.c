@@ -120,8 +120,8 @@ double tb_bessel_j(uint32_t m, double x) {
   return j[0];
 }
 
-/* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin x/x
- * or j_1, whichever is larger. */
+/* The factor that turns the recurrence's values into J_{l+1/2} = sqrt(2 x/pi) j_l: from j_0 = sin
+ * x/x or j_1, whichever is larger. */
 static double half_scale(double x, double here, double above) {
   double sine, cosine;
   tb_sin_cos(x, &sine, &cosine);
@@ -131,14 +131,14 @@ static double half_scale(double x, double here, double above) {
   return (fabs(j0) > fabs(j1) ? j0 / here : j1 / above) * sqrt(2.0 * x / PI);
 }
 
-/* Values that the recurrence over orders l + shift ends with: at order shift, one above, and for whole
- * orders the sum that is 1. */
+/* Values that the recurrence over orders l + shift ends with: at order shift, one above, and for
+ * whole orders the sum that is 1. */
 typedef struct Ends {
   double here[8], above[8], sum[8];
 } Ends;
 
-/* j[l][i], l < count, up to one factor per lane. Downwards below the turning point is stable too, so one
- * direction serves all orders. */
+/* j[l][i], l < count, up to one factor per lane. Downwards below the turning point is stable too,
+ * so one direction serves all orders. */
 static void descend(const double x[8], double shift, uint32_t count, double *j, Ends *ends) {
   double inverse[8], above[8], here[8], sum[8], top = 0.0;
   for (int i = 0; i < 8; i++) {
@@ -194,8 +194,9 @@ void tb_bessel_whole8(const double x[8], uint32_t count, double *j) {
   }
 }
 
-/* The one zero of J_m between lo and hi, where it is positive at lo or at hi: Halley's step from x, which cubes
- * the error, where it stays inside, else halving. J_m'' comes from Bessel's equation. */
+/* The one zero of J_m between lo and hi, where it is positive at lo or at hi: Halley's step from x,
+ * which cubes the error, where it stays inside, else halving. J_m'' comes from Bessel's equation.
+ */
 static double refine_zero(uint32_t m, double lo, double hi, double x, bool falling) {
   const double order = (double)m;
   for (int i = 0; i < 100; i++) {
@@ -228,9 +229,10 @@ static uint32_t zeros_of_order_0(double top, double *zeros, uint32_t room) {
   }
 }
 
-/* The first zero lies between m + 1.8557571 m^(1/3) and 1.0331503 m^(-1/3) more [QuWong1999]. u = sqrt(x) J_m
- * satisfies u'' + (1 - (m^2 - 1/4)/x^2) u = 0, so from a zero z the next is at least pi away and at most pi
- * over the root of that factor at z (Sturm); and nearly pi over its root between the two. */
+/* The first zero lies between m + 1.8557571 m^(1/3) and 1.0331503 m^(-1/3) more [QuWong1999]. u =
+ * sqrt(x) J_m satisfies u'' + (1 - (m^2 - 1/4)/x^2) u = 0, so from a zero z the next is at least pi
+ * away and at most pi over the root of that factor at z (Sturm); and nearly pi over its root
+ * between the two. */
 uint32_t tb_bessel_zeros(uint32_t m, double top, double *zeros, uint32_t room) {
   if (m == 0) return zeros_of_order_0(top, zeros, room);
   const double order = (double)m, root = tb_cbrt(order), square = order * order - 0.25;

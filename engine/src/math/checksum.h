@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* FNV-1a over 8-byte words, the last one filled up with zeros: tells damage of saved bytes, not malice. Audio-safe. */
+/* FNV-1a over 8-byte words, the last one filled up with zeros: tells damage of saved bytes, not
+ * malice. Audio-safe. */
 #ifndef TB_CHECKSUM_H
 #define TB_CHECKSUM_H
 

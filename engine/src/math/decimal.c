@@ -34,7 +34,8 @@ static int32_t step(int32_t point, int32_t by) {
   return next > 100000000 ? 100000000 : (next < -100000000 ? -100000000 : next);
 }
 
-/* Leading zeros only move the point. Digits beyond those kept are as good as a last 1, if they are not zero. */
+/* Leading zeros only move the point. Digits beyond those kept are as good as a last 1, if they are
+ * not zero. */
 static void add_digit(Digits *d, char c, bool fraction) {
   const char digit = (char)(c - '0');
   if (d->count == 0 && digit == 0) {
@@ -72,7 +73,8 @@ static void read_digits(const char *text, Digits *d) {
   if (*text) d->point += read_exponent(text + 1);
 }
 
-/* ---- few digits ------------------------------------------------------------------------------- */
+/* ---- few digits -------------------------------------------------------------------------------
+ */
 
 static bool read_few(const Digits *d, double *value) {
   static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -86,7 +88,8 @@ static bool read_few(const Digits *d, double *value) {
   return true;
 }
 
-/* ---- whole numbers ---------------------------------------------------------------------------- */
+/* ---- whole numbers ----------------------------------------------------------------------------
+ */
 
 /* n = n factor + carry */
 static void multiply_add(Whole *n, uint32_t factor, uint32_t carry) {
@@ -137,7 +140,8 @@ static bool is_zero(const Whole *n) {
   return true;
 }
 
-/* ---- the quotient ----------------------------------------------------------------------------- */
+/* ---- the quotient -----------------------------------------------------------------------------
+ */
 
 /* above / below = (quotient + something less than 1) 2^exponent; `left`: that is not 0. */
 typedef struct Quotient {

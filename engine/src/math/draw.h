@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Pseudo-random numbers by place instead of by turn: the same seed and place give the same number, practically
- * independent of all others. Audio-safe; the same bits on every machine. */
+/* Pseudo-random numbers by place instead of by turn: the same seed and place give the same number,
+ * practically independent of all others. Audio-safe; the same bits on every machine. */
 #ifndef TB_DRAW_H
 #define TB_DRAW_H
 

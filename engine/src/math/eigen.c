@@ -57,8 +57,8 @@ static double dot(uint32_t n, const double *x, const double *y) {
   return sum;
 }
 
-/* The reflection 1 - u u^T / h that turns u, length n, into (0, .., 0, *end). Returns h; 0 if there is nothing to
- * turn. */
+/* The reflection 1 - u u^T / h that turns u, length n, into (0, .., 0, *end). Returns h; 0 if there
+ * is nothing to turn. */
 static double reflection(uint32_t n, double *u, double *end) {
   double scale = 0.0;
   for (uint32_t i = 0; i < n; i++) scale += fabs(u[i]);
@@ -99,7 +99,8 @@ static void make_tridiagonal(TbArena *watched, uint32_t n, double *a, double *di
   beside[n - 1] = 0.0;
 }
 
-/* The product of these reflections, transposed: its rows are the basis in which A is tridiagonal. */
+/* The product of these reflections, transposed: its rows are the basis in which A is tridiagonal.
+ */
 static void gather_basis(TbArena *watched, uint32_t n, const double *a, const double *h, double *p,
                          double *basis) {
   memset(basis, 0, (size_t)n * n * sizeof *basis);
@@ -129,8 +130,8 @@ static uint32_t last_coupled(uint32_t n, const double *d, const double *e, uint3
   return i;
 }
 
-/* One sweep over the rows first .. last of T, d beside e. Returns the lowest row that was rotated; higher than
- * `first` only if T fell into two there. */
+/* One sweep over the rows first .. last of T, d beside e. Returns the lowest row that was rotated;
+ * higher than `first` only if T fell into two there. */
 static uint32_t sweep(double *d, double *e, uint32_t first, uint32_t last, Rotations r) {
   const double slope = (d[first + 1] - d[first]) / (2.0 * e[first]);
   double g = d[last] - d[first] + e[first] / (slope + copysign(tb_hypot(slope, 1.0), slope));
@@ -157,7 +158,8 @@ static uint32_t sweep(double *d, double *e, uint32_t first, uint32_t last, Rotat
   return first;
 }
 
-/* Rotates rows last .. first in `width` columns that begin at x. A row is met twice and is carried over. */
+/* Rotates rows last .. first in `width` columns that begin at x. A row is met twice and is carried
+ * over. */
 static inline void rotate_columns(uint32_t width, uint32_t stride, uint32_t first, uint32_t last,
                                   Rotations r, double *x) {
   double upper[COLUMNS];

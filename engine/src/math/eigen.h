@@ -19,8 +19,8 @@
 
 /* K and M are row-major n x n and are destroyed; `mass` NULL stands for the unit matrix. On return,
  * row i of `vectors` is the i-th eigenvector with v^T M v = 1, eigenvalues ascending. Returns false
- * if memory ran out or the watch cancelled, if M is not positive definite, or if QL did not converge, as with a NaN in
- * K. */
+ * if memory ran out or the watch cancelled, if M is not positive definite, or if QL did not
+ * converge, as with a NaN in K. */
 bool tb_eigen_symmetric(TbArena *scratch, uint32_t n, double *stiffness, double *mass,
                         double *eigenvalues, double *vectors);
 

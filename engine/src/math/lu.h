@@ -6,8 +6,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* Solves A x = b: A row-major n x n, all numbers (re, im) pairs. A is destroyed, b becomes x. Returns
- * false if A is singular. */
+/* Solves A x = b: A row-major n x n, all numbers (re, im) pairs. A is destroyed, b becomes x.
+ * Returns false if A is singular. */
 bool tb_solve_complex(uint32_t n, double *a, double *b);
 
 #endif

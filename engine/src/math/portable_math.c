@@ -223,7 +223,8 @@ void tb_sin_cos_degrees(double angle, double *sine, double *cosine) {
   turn_by_quarters((int64_t)whole, sine_small(rest), cosine_small(rest), sine, cosine);
 }
 
-/* atan t in radians for 0 <= t <= 1: atan t = atan c + atan((t - c)/(1 + t c)), c = 1/2, leaves |x| <= 1/2. */
+/* atan t in radians for 0 <= t <= 1: atan t = atan c + atan((t - c)/(1 + t c)), c = 1/2, leaves |x|
+ * <= 1/2. */
 static double arc_tangent(double t) {
   const double x = (t - 0.5) / (1.0 + 0.5 * t), x2 = x * x;
   double sum = 0.0;

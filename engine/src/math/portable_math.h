@@ -7,8 +7,8 @@
  *   exp        x = n ln 2 + r, |r| <= ln 2/2; Taylor's series of r
  *   log        x = 2^e f with f in [sqrt(1/2), sqrt(2)); series of log f = 2 atanh((f - 1)/(f + 1))
  *
- * tests/engine/test_portable_math.c measures the errors stated here. One ulp is one unit in the last
- * place. */
+ * tests/engine/test_portable_math.c measures the errors stated here. One ulp is one unit in the
+ * last place. */
 #ifndef TB_PORTABLE_MATH_H
 #define TB_PORTABLE_MATH_H
 

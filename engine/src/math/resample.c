@@ -8,8 +8,8 @@
 #include "math/portable_math.h"
 
 #define REACH 64 /* samples of the lower rate, to each side */
-#define STEPS                                                                                      \
-  1024u /* of the table for each of them; between them h is taken as straight, which is 1e-6 off */
+/* of the table for each of them; between them h is taken as straight, which is 1e-6 off */
+#define STEPS 1024u
 
 static const double PI = 3.14159265358979323846, BETA = 10.0, EDGE = 0.95;
 

@@ -3,8 +3,8 @@
 #ifndef TB_THREAD_TIME_H
 #define TB_THREAD_TIME_H
 
-/* [s] since some moment. Where the system tells no thread's time (Windows, WebAssembly), that of all threads, or the
- * time of day. */
+/* [s] since some moment. Where the system tells no thread's time (Windows, WebAssembly), that of
+ * all threads, or the time of day. */
 double tb_thread_time(void);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The kind of body that a definition describes. A new kind is a folder of bodies/ and a row here. */
+/* The kind of body that a definition describes. A new kind is a folder of bodies/ and a row here.
+ */
 #ifndef TB_BODY_KIND_H
 #define TB_BODY_KIND_H
 

@@ -112,8 +112,8 @@ static double contact_seconds(const Sizes *s) {
          2e-9 * s->wires * cells * cells * cells;
 }
 
-/* Microphones, and the one-way modes that they hear. An open head's fields are integrals over the wavenumber, the
- * longer the farther away the microphone is. */
+/* Microphones, and the one-way modes that they hear. An open head's fields are integrals over the
+ * wavenumber, the longer the farther away the microphone is. */
 static double high_band_seconds(const TaborDrumDef *def, const Sizes *s) {
   const double each = 2e-5 * s->modes, zero = s->top_zero;
   if (def->air.density == 0.0) return (tb_is_two_headed(def) ? 0.5 : 0.15) * each;
@@ -144,8 +144,8 @@ TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double samp
     .grid = grid_seconds(&s),
     .contacts = contact_seconds(&s),
     .high_band = high_band_seconds(def, &s),
-    /* Tables between modes and points in both precisions; shapes at all points, four times; squares of classes;
-     * each wire's answers */
+    /* Tables between modes and points in both precisions; shapes at all points, four times; squares
+     * of classes; each wire's answers */
     .bytes = 4e6 + 2e3 * s.modes + 24.0 * s.modes * s.used + 32.0 * s.modes * s.wires * s.half +
              64.0 * s.classes * s.used * s.used + 24.0 * s.wires * cells * cells};
   return status;
@@ -177,7 +177,8 @@ static const Lever LEVERS[] = {{"quality.wire_points", halve_points},
                                {"quality.two_way_bandwidth", halve_two_way},
                                {"quality.bandwidth", halve_bandwidth}};
 
-/* The key of the lever that saves most of so many seconds; of the quality if none saves a twentieth of them. */
+/* The key of the lever that saves most of so many seconds; of the quality if none saves a twentieth
+ * of them. */
 static const char *find_lever(const TaborDrumDef *def, uint32_t quality, double sample_rate,
                               const TaborAllocator *allocator, double seconds) {
   const TbLevel level = tb_level(def, quality, sample_rate);

@@ -58,8 +58,8 @@ static void prepare_wire_hold(TbHighBand *band, const TaborModel *model, double 
                        2.0 * PI * top);
 }
 
-/* Frequencies are drawn this often [Hz], for cost: 1,024 modes then take eight a step. In that time modes
- * turn by some 2 rad on heads as uneven as the presets'. */
+/* Frequencies are drawn this often [Hz], for cost: 1,024 modes then take eight a step. In that time
+ * modes turn by some 2 rad on heads as uneven as the presets'. */
 static const double SCATTER_RATE = 375.0;
 /* Parts of a turn per step by which scattering changes it at most, however uneven a head is. */
 static const double MOST_SCATTERED = 0.1;
@@ -72,7 +72,8 @@ static void prepare_scattering(TbHighBand *band, const TaborModel *model) {
   band->scatter_by_wires = 6.0f / (float)band->scatter_steps; /* 3 k D/n of D = 2 s, s k = taken */
 }
 
-/* A turn u d per step, u drawn from -1 to 1 every n steps, has the variance D n k after these: d^2 = 3 D k/n. */
+/* A turn u d per step, u drawn from -1 to 1 every n steps, has the variance D n k after these: d^2
+ * = 3 D k/n. */
 static double walk_of(const TbHighBand *band, const TbHighMode *c, double time_step) {
   const double turn = c->omega * time_step, most = MOST_SCATTERED * fmin(turn, PI - turn);
   return fmin(3.0 * c->scattering * time_step / band->scatter_steps, most * most);
@@ -153,7 +154,8 @@ static void assign_groups(TbHighBand *band, const TbWires *wires) {
   }
 }
 
-/* What a wire does at a place on its head: it loses to the head's own waves, first, what it would give the air. */
+/* What a wire does at a place on its head: it loses to the head's own waves, first, what it would
+ * give the air. */
 static void drive_by_wire(const TbHighBand *band, uint32_t head, double x, double y,
                           double *drive) {
   const double r = tb_hypot(x, y);
@@ -251,8 +253,8 @@ static inline uint32_t append(Pushers *to, uint32_t count, double value, const f
   return count + (value != 0.0);
 }
 
-/* The groups that push each part of the modes: those of odd and of even order by differences and sums of mirror
- * images, or else all by themselves. */
+/* The groups that push each part of the modes: those of odd and of even order by differences and
+ * sums of mirror images, or else all by themselves. */
 static void fold_groups(const TbHighBand *band, const double *groups, Pushers to[2]) {
   const TbHighPush *odd = &band->push[0], *even = &band->push[1];
   const uint32_t all = band->groups, pairs = band->folded ? all / 2u : 0u;

@@ -4,35 +4,40 @@
  *
  * There are too many modes up there to keep, and most are silent: they are slower than sound and
  * radiate from the edge alone. So each Bessel function of either head counts as a mode of its own.
- * Its mass is that of the air, 2 rho0/(K sqrt(1 - (k0/K)^2)) per area, K = z/R (a plane wave slower than sound on both
- * sides). Its radiation is the baffled one (of the outer side, on a drum with a cavity), times one factor per
- * microphone and one for the resistance, of each head. The factors stand for the edge and for the
- * coupling of modes by the air. They depend on the place and hardly on the frequency (an open edge:
- * 5.4, 6.5 and 7.7 dB less than a baffled one at three places, within 0.5 dB from z = 20 to 108,
- * tests/engine/test_high_band.c), so they are measured on the upper two-way modes.
+ * Its mass is that of the air, 2 rho0/(K sqrt(1 - (k0/K)^2)) per area, K = z/R (a plane wave slower
+ * than sound on both sides). Its radiation is the baffled one (of the outer side, on a drum with a
+ * cavity), times one factor per microphone and one for the resistance, of each head. The factors
+ * stand for the edge and for the coupling of modes by the air. They depend on the place and hardly
+ * on the frequency (an open edge: 5.4, 6.5 and 7.7 dB less than a baffled one at three places,
+ * within 0.5 dB from z = 20 to 108, tests/engine/test_high_band.c), so they are measured on the
+ * upper two-way modes.
  *
- * Modes of the enclosed air (high_cavity.h) ring on where the heads' own have died: those of a tom decay with 20 to
- * 30 1/s, its heads' with 40 to 75 1/s. Strikers drive them through the batter head, of whose functions they take a
- * part. Wires do not drive them: functions that wires damp pass nothing on to the air. (With modes for the wires'
- * pushes, too, the first 50 ms of a snare drum were 4 to 5 dB too loud from 5 to 16 kHz, without them within 2.5 dB.)
- * Of thousands of modes a few dozen in each sixth of an octave are kept (high_air_choice.h). Without any, toms were 3 to
+ * Modes of the enclosed air (high_cavity.h) ring on where the heads' own have died: those of a tom
+ * decay with 20 to 30 1/s, its heads' with 40 to 75 1/s. Strikers drive them through the batter
+ * head, of whose functions they take a part. Wires do not drive them: functions that wires damp
+ * pass nothing on to the air. (With modes for the wires' pushes, too, the first 50 ms of a snare
+ * drum were 4 to 5 dB too loud from 5 to 16 kHz, without them within 2.5 dB.) Of thousands of modes
+ * a few dozen in each sixth of an octave are kept (high_air_choice.h). Without any, toms were 3 to
  * 12 dB too soft from 5 to 10 kHz after 50 ms.
  *
- * A microphone inside hears the air's modes and what a head's function drives in a cavity of rigid walls
- * (cavity_pressure.h). Against all modes up to 16 kHz as two-way ones, third octaves from 5 kHz on are within 2.6 dB
- * in the mean over nine places, inside within 2.5 dB (tests/engine/test_high_band.c).
+ * A microphone inside hears the air's modes and what a head's function drives in a cavity of rigid
+ * walls (cavity_pressure.h). Against all modes up to 16 kHz as two-way ones, third octaves from 5
+ * kHz on are within 2.6 dB in the mean over nine places, inside within 2.5 dB
+ * (tests/engine/test_high_band.c).
  *
- * In each sixth of an octave, the modes of a head, and apart from them those of the air, are sorted by the energy
- * that they can bring to a microphone outside the shell, (gain sin(wk)/(wk))^2/(4 s), and kept until they hold 99.9 % of it.
- * If that makes more than TB_HIGH_MOST modes (TB_HIGH_MOST_LIVE at live), every sixth of an octave
- * keeps less.
- * The modes kept carry the energy of the others, and walk in phase as if they were those, too (scattering.h): without
- * that, each rings as a tone. With 512 modes at live lines would be as few, but third octaves 3 to 9 dB off, most of all
- * from 10 kHz on; 2,048 modes move them by up to 2 dB. 1,024 modes cost a snare drum 7 % and a tom 8 %.
+ * In each sixth of an octave, the modes of a head, and apart from them those of the air, are sorted
+ * by the energy that they can bring to a microphone outside the shell, (gain sin(wk)/(wk))^2/(4 s),
+ * and kept until they hold 99.9 % of it. If that makes more than TB_HIGH_MOST modes
+ * (TB_HIGH_MOST_LIVE at live), every sixth of an octave keeps less. The modes kept carry the energy
+ * of the others, and walk in phase as if they were those, too (scattering.h): without that, each
+ * rings as a tone. With 512 modes at live lines would be as few, but third octaves 3 to 9 dB off,
+ * most of all from 10 kHz on; 2,048 modes move them by up to 2 dB. 1,024 modes cost a snare drum 7
+ * % and a tom 8 %.
  *
- * Of a force that stays, modes would only lean, and scattering, which turns them about their rest, would make noise of that: thrown
- * off, a snare drum's wires hissed at -86 dBFS for good, by the load that they had taken from the head. So modes are pushed
- * by what is left of a push behind a high-pass filter of first order at 200 Hz, which takes 0.03 dB at 2.5 kHz.
+ * Of a force that stays, modes would only lean, and scattering, which turns them about their rest,
+ * would make noise of that: thrown off, a snare drum's wires hissed at -86 dBFS for good, by the
+ * load that they had taken from the head. So modes are pushed by what is left of a push behind a
+ * high-pass filter of first order at 200 Hz, which takes 0.03 dB at 2.5 kHz.
  *
  * Strikers drive the modes through their patches. The wires' points are gathered in groups along
  * the bed; each group pushes at its middle. Evenly spaced forces along a wire almost cancel at the
@@ -112,9 +117,9 @@ typedef struct TbWirePush {
   double share;   /* of out[] and steady[] that is left since there was a force */
 } TbWirePush;
 
-/* Effect of the changes of the forces at the wires' contact points, force[stride], on the modes: out[padded], where wires
- * push; steady[padded] is what stays of it. Returns sums over the contacts; s[stride] as in solve.h. sums[stride] is
- * scratch. Audio-safe. */
+/* Effect of the changes of the forces at the wires' contact points, force[stride], on the modes:
+ * out[padded], where wires push; steady[padded] is what stays of it. Returns sums over the
+ * contacts; s[stride] as in solve.h. sums[stride] is scratch. Audio-safe. */
 TbWireContacts tb_high_band_push(const struct TaborModel *model, const double *force,
                                  const double *s, TbWirePush *push, double *sums, float *out,
                                  float *steady);

@@ -33,7 +33,8 @@ bool tb_lugs_uneven(const TbBody *body) {
          (body->surfaces == 2 && tb_lug_tension_prepare(&field, &body->sheet[1], 0.0));
 }
 
-/* J_m(z r) and its slope z J_m'(z r) = (m/r) J_m(z r) - z J_{m+1}(z r) at all radii, added to one mode. */
+/* J_m(z r) and its slope z J_m'(z r) = (m/r) J_m(z r) - z J_{m+1}(z r) at all radii, added to one
+ * mode. */
 static void add_bessel(const Shapes *shapes, uint32_t m, double zero, double amplitude,
                        double *value, double *slope) {
   const uint32_t own[8] = {m, m, m, m, m, m, m, m};
@@ -117,7 +118,8 @@ static bool add_head(Shapes *shapes, TbArena *scratch, uint32_t h, const TbLugTe
     *arrays[i] = tb_arena_doubles(scratch, shapes->count);
   }
   if (scratch->failed || !radial_shapes(shapes, scratch, h)) return false;
-  /* More angles than the product of two shapes and the field has waves: sums over them are exact. */
+  /* More angles than the product of two shapes and the field has waves: sums over them are exact.
+   */
   const uint32_t angles = 2 * shapes->top_order + field->harmonics;
   for (uint32_t at = 0; at < RADII; at++) {
     for (uint32_t k = 0; k < angles; k++) {

@@ -17,22 +17,22 @@ typedef struct Shape {
   double zero, zero_damping, pole, pole_damping;
 } Shape;
 
-/* Least-squares fits to points on curves that are typical of each kind of microphone. We could read what
- * is written about the published curves of well-known microphones, but not their data.
+/* Least-squares fits to points on curves that are typical of each kind of microphone. We could read
+ * what is written about the published curves of well-known microphones, but not their data.
  *
- * Dynamic: level from 150 Hz to 1.2 kHz and falling below, a rise from 2 or 3 kHz on, 40 Hz to 15 kHz
- * [SM57Chart]. The sizes are what recorded snare drums ask for: -4 dB at 100 Hz, +3 at 4 kHz, +6 at
- * 6 kHz, 0 at 12 kHz, -10 at 16 kHz.
+ * Dynamic: level from 150 Hz to 1.2 kHz and falling below, a rise from 2 or 3 kHz on, 40 Hz to 15
+ * kHz [SM57Chart]. The sizes are what recorded snare drums ask for: -4 dB at 100 Hz, +3 at 4 kHz,
+ * +6 at 6 kHz, 0 at 12 kHz, -10 at 16 kHz.
  *
- * Large dynamic: a wide dip in the lower middle and a rise in the treble [KickMicrophones]. The sizes are
- * our choice: +5 dB at 80 Hz, -4 at 400 Hz, +7.4 at 4 kHz, -10 at 16 kHz.
+ * Large dynamic: a wide dip in the lower middle and a rise in the treble [KickMicrophones]. The
+ * sizes are our choice: +5 dB at 80 Hz, -4 at 400 Hz, +7.4 at 4 kHz, -10 at 16 kHz.
  *
- * Condenser: very even [MicData2]. The sizes are our choice: -4 dB at 20 Hz, 0 from 0.1 to 3 kHz, +2.7 at
- * 10 kHz, -4 at 20 kHz.
+ * Condenser: very even [MicData2]. The sizes are our choice: -4 dB at 20 Hz, 0 from 0.1 to 3 kHz,
+ * +2.7 at 10 kHz, -4 at 20 kHz.
  *
- * Even dynamic: a dynamic microphone without a rise in the treble, its bass cut against the drum's lowest notes. The
- * sizes are what snare drums recorded from below ask for: -14 dB at 40 Hz, -4.5 at 150 Hz, 0 from 0.4 to 6 kHz, -3.5 at
- * 10 kHz, -10 at 12.7 kHz, -18.5 at 16 kHz. */
+ * Even dynamic: a dynamic microphone without a rise in the treble, its bass cut against the drum's
+ * lowest notes. The sizes are what snare drums recorded from below ask for: -14 dB at 40 Hz, -4.5
+ * at 150 Hz, 0 from 0.4 to 6 kHz, -3.5 at 10 kHz, -10 at 12.7 kHz, -18.5 at 16 kHz. */
 static const Shape SHAPES[][TB_RESPONSE_SECTIONS] = {
   [TABOR_RESPONSE_DYNAMIC] = {{49.74, 1.5, 142.0, 0.99},
                               {631.1, 0.8293, 581.2, 0.8989},

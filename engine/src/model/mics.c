@@ -20,8 +20,8 @@ static uint32_t travel_steps(const TaborModel *model, const TaborMicDef *mic) {
   return (uint32_t)(distance / model->def.air.sound_speed * model->step_rate);
 }
 
-/* Real u, v with u (l - 2 + 1/l) + v (l - 1/l) = gain for the pole l: the weights that turn a mode's
- * acceleration and velocity into a pressure of this size and phase. */
+/* Real u, v with u (l - 2 + 1/l) + v (l - 1/l) = gain for the pole l: the weights that turn a
+ * mode's acceleration and velocity into a pressure of this size and phase. */
 static void realise(const TbPole *pole, double gain_re, double gain_im, double omega_k, double *u,
                     double *v) {
   *v = 0.0;
@@ -61,9 +61,9 @@ void tb_mic_weights(const TaborModel *model, uint32_t index, double omega, const
   tb_pressure_weights(turn, pole, size, field, phase, ahead, behind);
 }
 
-/* The weights of a source at the microphone's place, from those of the microphone. These give the pressure per
- * unit of displacement, -w^2 W, and a factor sin(w k)/(w k) that makes up for what the recursion does to a force;
- * who hears the drum makes up for it already. */
+/* The weights of a source at the microphone's place, from those of the microphone. These give the
+ * pressure per unit of displacement, -w^2 W, and a factor sin(w k)/(w k) that makes up for what the
+ * recursion does to a force; who hears the drum makes up for it already. */
 static void push_weights(const TaborModel *model, const TaborMicDef *def, double omega,
                          double ahead, double behind, double *now, double *before) {
   const double distance = sqrt(def->radius * def->radius + def->height * def->height);

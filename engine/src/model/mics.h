@@ -8,18 +8,19 @@
 
 struct TaborModel;
 
-/* Steps that a sound comes sooner where two steps make a frame, as long as the way to the output takes
- * (state/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later. */
+/* Steps that a sound comes sooner where two steps make a frame, as long as the way to the output
+ * takes (state/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later.
+ */
 enum { TB_HALVE_STEPS = 4 };
 
-/* Finds which modes of head.modes other drums' sound moves at some microphone: low[2 row + sine]. Call before the modes are listed;
- * sets the microphones' travel. */
+/* Finds which modes of head.modes other drums' sound moves at some microphone: low[2 row + sine].
+ * Call before the modes are listed; sets the microphones' travel. */
 TaborStatus tb_mics_find_low(struct TaborModel *model, TbArena *scratch, uint8_t *low);
 /* Computes weights, delays and frequency responses of all microphones, into model->mics. */
 TaborStatus tb_mics_prepare(struct TaborModel *model);
 
-/* Weights of a mode that turns by `turn` = omega k in a step for the pressure `size` field e^{i phase} per unit amplitude;
- * the rest as for tb_mic_weights(). */
+/* Weights of a mode that turns by `turn` = omega k in a step for the pressure `size` field e^{i
+ * phase} per unit amplitude; the rest as for tb_mic_weights(). */
 void tb_pressure_weights(double turn, const TbPole *pole, double size, const double *field,
                          double phase, double *ahead, double *behind);
 

@@ -318,9 +318,10 @@ static uint32_t mode_count(const TbBody *body) {
   return count;
 }
 
-/* A model with more than TB_FEW_MODES does not solve its contacts to rounding noise, which would take four times
- * as long: to 1e-6, balanced in energy as at studio, with shapes under the wires right to 1e-4 and tables between
- * modes and contact points in single precision. That is far below what a stroke 0.1 % faster changes. */
+/* A model with more than TB_FEW_MODES does not solve its contacts to rounding noise, which would
+ * take four times as long: to 1e-6, balanced in energy as at studio, with shapes under the wires
+ * right to 1e-4 and tables between modes and contact points in single precision. That is far below
+ * what a stroke 0.1 % faster changes. */
 static void relax_large(TaborModel *model, const TbLevel *level) {
   TbLevel relaxed = *level;
   if (mode_count(&model->body) <= TB_FEW_MODES) return;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* All data computed once from a definition and a sample rate; immutable afterwards. A model steps once per
- * frame of its output, or twice; "sample" means a step.
+/* All data computed once from a definition and a sample rate; immutable afterwards. A model steps
+ * once per frame of its output, or twice; "sample" means a step.
  *
  * All state counts from the static equilibrium (rest) under strainer, gravity and contact. A drum
  * at rest is therefore exactly zero, and stays so. */
@@ -34,7 +34,8 @@
  * B(n) = Sum behind q^n, `delay` steps later: see mics.h. */
 typedef struct TbMic {
   double *ahead, *behind; /* [padded] */
-  /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see air/incident_sound.h */
+  /* [padded]: forces on the modes by sound from its place [N kg^-1/2/Pa]: see air/incident_sound.h
+   */
   double *push_now, *push_before;
   uint32_t travel, delay; /* of sound to it, without and with what the output takes [steps] */
   TbMicResponse response;
@@ -107,8 +108,8 @@ struct TaborModel {
   double step_rate;   /* 1/k [Hz] */
   double time_step;   /* k [s] */
   double top;         /* of the high band [Hz] */
-  double
-    axis; /* [deg] from which the modes' angles count: that of the wires; of a drum without, of its own stroke */
+  double axis; /* [deg] from which the modes' angles count: that of the wires; of a drum without, of
+                  its own stroke */
   TbPrecision precision; /* of the high band */
   TbPrecision contacts;  /* of contacts, if the kernels have their laws */
   uint32_t newton_cap, inner_cap;

@@ -105,8 +105,8 @@ static bool list_modes(TbModes *list, TbArena *scratch, const TbBody *body) {
   return true;
 }
 
-/* A mode is felt if it moves some contact point by more than this part of what the most felt one does:
- * its compliance is then 1e-4 of that one's. */
+/* A mode is felt if it moves some contact point by more than this part of what the most felt one
+ * does: its compliance is then 1e-4 of that one's. */
 static const double FELT = 1e-2;
 
 /* most[i]: largest shape of listed mode i over the contact points. */
@@ -143,8 +143,8 @@ static bool is_odd_along(const TbBody *body, uint32_t row, bool sine) {
   return (body->modes[row].m % 2 == 0) == sine;
 }
 
-/* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. Under y -> -y, theta ->
- * -theta, the cosines are even. */
+/* Which group a listed mode belongs to; `groups` stands for the uncoupled rest. Under y -> -y,
+ * theta -> -theta, the cosines are even. */
 static uint32_t group_of(const TbModes *modes, const TbModes *list, const TbBody *body, uint32_t i,
                          bool felt) {
   if (!felt) return modes->groups;

@@ -22,10 +22,11 @@ enum { TB_MODE_RUNS = 3, TB_MODE_SECTIONS = 3 * TB_MODE_RUNS };
  * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
  * wire feels follow. Wires that lack a symmetry have half the groups.
  *
- * Those that no wire feels stand in three runs: the lowest and all that move both heads, the batter head alone, the resonant head alone. A
- * run has three sections: the lowest and those that other drums' sound moves, then the other cosines, then the other sines; with
- * wires, all of these. Angles count from that of the drum's own stroke (TaborModel.axis), which moves no sine. Each section is
- * sorted by frequency, and padded like groups. */
+ * Those that no wire feels stand in three runs: the lowest and all that move both heads, the batter
+ * head alone, the resonant head alone. A run has three sections: the lowest and those that other
+ * drums' sound moves, then the other cosines, then the other sines; with wires, all of these.
+ * Angles count from that of the drum's own stroke (TaborModel.axis), which moves no sine. Each
+ * section is sorted by frequency, and padded like groups. */
 typedef struct TbModes {
   uint32_t count, padded;         /* modes, sine copies counted; the same with padding */
   uint32_t halves, quarters;      /* groups under x -> -x, and under y -> -y: 1 or 2 each */
@@ -33,8 +34,8 @@ typedef struct TbModes {
   uint32_t group[5];              /* first mode of each group; coupled modes end at group[groups] */
   uint32_t run[TB_MODE_RUNS + 1]; /* first mode of each run; the first run has the lowest modes */
   uint32_t section[TB_MODE_SECTIONS + 1]; /* first mode of each section */
-  TbParts
-    low; /* by which drums hear each other: the first of each group, the first section of each run */
+  TbParts low; /* by which drums hear each other: the first of each group, the first section of each
+                  run */
   uint32_t *row;                 /* [padded]: index in head.modes, or TB_NO_MODE for padding */
   uint8_t *sine;                 /* [padded]: 1 for sin(m theta) */
   double *a, *b, *g;             /* [padded], as are all arrays below */
@@ -55,8 +56,9 @@ typedef struct TbModeRanges {
 static inline TbModeRanges tb_modes_all(const TbModes *modes) {
   return (TbModeRanges){modes->padded, modes->padded, 0};
 }
-/* Those that move head `which`. The run of the other head alone is left out: its slopes here are 1 % of its own at most.
- * A hard stroke on bass drum, toms and snare then changes by 0.2 dB in no third octave up to 16 kHz. */
+/* Those that move head `which`. The run of the other head alone is left out: its slopes here are 1
+ * % of its own at most. A hard stroke on bass drum, toms and snare then changes by 0.2 dB in no
+ * third octave up to 16 kHz. */
 static inline TbModeRanges tb_modes_of_head(const TbModes *modes, uint32_t which) {
   const uint32_t *run = modes->run;
   if (which == 0) return (TbModeRanges){run[2], modes->padded, 0};
@@ -80,12 +82,14 @@ static inline double tb_pole_energy(double rate, double stiffness, double next, 
   return velocity * velocity + stiffness * next * now;
 }
 
-/* Converts the two instants of a motion from the recursion a0, b0 to a1, b1, whose steps are `ratio` times as
- * long, keeping phase and action (drum/swap.c). If either b is 0, there is no such mode, and the motion ends.
- * If either mode does not swing, place and velocity are kept. Audio-safe. */
+/* Converts the two instants of a motion from the recursion a0, b0 to a1, b1, whose steps are
+ * `ratio` times as long, keeping phase and action (drum/swap.c). If either b is 0, there is no such
+ * mode, and the motion ends. If either mode does not swing, place and velocity are kept.
+ * Audio-safe. */
 void tb_pole_carry(double a0, double b0, double a1, double b1, double ratio, double *now,
                    double *last);
-/* Where something was one step ago, if steps are `ratio` times as long as between `now` and `last`. */
+/* Where something was one step ago, if steps are `ratio` times as long as between `now` and `last`.
+ */
 static inline double tb_step_ago(double now, double last, double ratio) {
   return ratio == 1.0 ? last : now - ratio * (now - last);
 }
@@ -97,7 +101,8 @@ double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 void tb_angular_factors(uint32_t orders, double sin_angle, double cos_angle, double *c, double *s);
 
 /* Lists and orders the modes and computes their coefficients. Each group ends with spare[group]
- * modes that have neither, a multiple of 8; NULL: none. low[2 row + sine]: whether other drums' sound moves it. */
+ * modes that have neither, a multiple of 8; NULL: none. low[2 row + sine]: whether other drums'
+ * sound moves it. */
 TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbBody *body,
                              const TbWires *wires, const uint8_t *low, const uint32_t *spare,
                              double time_step);

@@ -5,24 +5,28 @@
 
 #include "model/body_kind.h"
 
-/* Tables between modes and contact points have a number for each pair: at most so many, where a model
- * may have more modes than TB_FEW_MODES. */
+/* Tables between modes and contact points have a number for each pair: at most so many, where a
+ * model may have more modes than TB_FEW_MODES. */
 static const double MOST_PAIRS = 48e6;
 static const uint32_t MOST_MODES[] = {0, 4096, 4096, 8192, 16384}; /* by quality */
 static const double FEW_ZERO = 91.0; /* leaves half of TB_FEW_MODES to either head */
 
-/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1. */
+/* Two-way modes stay below this part of the rate, where the gain of the recursion is still near 1.
+ */
 static const double TOP_OF_RATE = 0.2;
-/* A body whose modes are all two-way is heard up to here [Hz], and to this part of the rate. There the
- * recursion answers a contact's force too loudly by w k/(2 sin(w k/2)): 1.9 dB at 17 kHz and 48,000 steps a second. */
+/* A body whose modes are all two-way is heard up to here [Hz], and to this part of the rate. There
+ * the recursion answers a contact's force too loudly by w k/(2 sin(w k/2)): 1.9 dB at 17 kHz and
+ * 48,000 steps a second. */
 static const double ALL_HEARD = 17000.0, TOP_OF_ALL = 0.36;
 
-/* Hoop and shell move up to here at every quality: a stick on the hoop meets their compliance [Hz]. */
+/* Hoop and shell move up to here at every quality: a stick on the hoop meets their compliance [Hz].
+ */
 static const double RIM_TOP = 8000.0;
 
-/* A contact's force is a mean over two steps. It is 7 dB too weak at a third of the rate, and has no stiffness at a
- * quarter of it: at 48 kHz, the treble of wires on a head is 5 to 15 dB too faint at 16 kHz. The better qualities
- * step twice per frame where the output is slower than this [Hz]. */
+/* A contact's force is a mean over two steps. It is 7 dB too weak at a third of the rate, and has
+ * no stiffness at a quarter of it: at 48 kHz, the treble of wires on a head is 5 to 15 dB too faint
+ * at 16 kHz. The better qualities step twice per frame where the output is slower than this [Hz].
+ */
 static const double ENOUGH_STEPS = 88200.0;
 
 uint32_t tb_level_steps(uint32_t quality, double sample_rate) {
@@ -53,8 +57,8 @@ static TbLevel level_of(uint32_t quality) {
 /* The one-way band needs no more than that its modes be told apart from their images. */
 static const double TOP_OF_HEARING = 0.42;
 
-/* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still closer
- * than half the head's shortest wavelength. */
+/* Many wires share their points: half as many each, and at live 12 mm apart on a snare drum, still
+ * closer than half the head's shortest wavelength. */
 static const uint32_t MANY_WIRES = 8, CELLS_OF_MANY[] = {24, 24, 24, 48, 128};
 /* Studio gives fewer wires than twenty more points each, as many together. */
 static const uint32_t CELLS_OF_ALL = 960;

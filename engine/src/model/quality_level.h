@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: MIT */
-/* What a quality level stands for: bandwidths, numbers of modes and contact points, accuracy. Set-up only. */
+/* What a quality level stands for: bandwidths, numbers of modes and contact points, accuracy.
+ * Set-up only. */
 #ifndef TB_QUALITY_LEVEL_H
 #define TB_QUALITY_LEVEL_H
 
 #include "bodies/body.h"
 #include "kernels/precision.h"
 
-/* Modes that a model may have at any quality; those with more solve their contacts less exactly, see model.c. */
+/* Modes that a model may have at any quality; those with more solve their contacts less exactly,
+ * see model.c. */
 #define TB_FEW_MODES 4096u
 
 typedef struct TbLevel {
@@ -21,7 +23,8 @@ typedef struct TbLevel {
 uint32_t tb_level_steps(uint32_t quality, double sample_rate);
 /* The level `quality`, with what the definition says otherwise. */
 TbLevel tb_level(const TaborDrumDef *def, uint32_t quality, double sample_rate);
-/* Limits of the heads' modes; `points` is the number of contact points of all wires, `rate` that of steps. */
+/* Limits of the heads' modes; `points` is the number of contact points of all wires, `rate` that of
+ * steps. */
 TbBodyLimits tb_level_limits(uint32_t quality, uint32_t points, double rate);
 
 #endif

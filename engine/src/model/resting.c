@@ -6,7 +6,8 @@
 static const double HEARD = 1e-6; /* of full scale: -120 dB */
 static const double FELT = 1e-11; /* [J] */
 
-/* h of resting.h over the square of full scale, of a mode with the weights `ahead` and `behind` and t^2 = `turn`. */
+/* h of resting.h over the square of full scale, of a mode with the weights `ahead` and `behind` and
+ * t^2 = `turn`. */
 static double heard_at(const TaborDrumDef *def, uint32_t mic, double ahead, double behind,
                        double turn) {
   const double difference = ahead - behind, gain = fmax(def->mic[mic].gain, 1.0);
@@ -47,7 +48,8 @@ static bool prepare_heard(TaborModel *model) {
   return true;
 }
 
-/* ---- modes at rest ---------------------------------------------------------------------------- */
+/* ---- modes at rest ----------------------------------------------------------------------------
+ */
 
 static double most_energy(const TaborModel *model, uint32_t mode) {
   const double count = (double)model->modes.count, felt = FELT / count;

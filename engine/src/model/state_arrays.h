@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The arrays of a drum's state (state/state.h), a line each:
- *   name in TbLayout; kind of its numbers; how many such arrays there may be and are; numbers in each; where TbView has it.
- * Layout, view, reset and check of saved states follow these lists. `model` is the model, `copy` counts the arrays of
- * a line. Kinds (TbArrayKind): doubles; floats; numbers in the high band's precision, in the room of doubles; scratch,
- * which is filled before it is read. */
+ *   name in TbLayout; kind of its numbers; how many such arrays there may be and are; numbers in
+ * each; where TbView has it. Layout, view, reset and check of saved states follow these lists.
+ * `model` is the model, `copy` counts the arrays of a line. Kinds (TbArrayKind): doubles; floats;
+ * numbers in the high band's precision, in the room of doubles; scratch, which is filled before it
+ * is read. */
 #ifndef TB_STATE_ARRAYS_H
 #define TB_STATE_ARRAYS_H
 
@@ -14,7 +15,8 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
 #define TB_STATE_GRID (model->projection.wire_grid.size)
 #define TB_STATE_MODES (model->modes.padded)
 
-/* Those that the view has elsewhere: instants (TbPhase), and workspaces of the solve, which have no name here. */
+/* Those that the view has elsewhere: instants (TbPhase), and workspaces of the solve, which have no
+ * name here. */
 #define TB_OTHER_ARRAYS(ARRAY)                                                                     \
   ARRAY(q, TB_DOUBLES, 3, 3, TB_STATE_MODES)                                                       \
   ARRAY(v, TB_DOUBLES, 3, 3, model->wires.node_count)                                              \

@@ -7,7 +7,8 @@ static size_t work_doubles(const TaborModel *model) {
          tb_wire_grid_scratch(&model->projection.wire_grid);
 }
 
-/* Floats of TbSolveWorkF, and of TbView.modalf; the grid's scratch is none where there is no such grid. */
+/* Floats of TbSolveWorkF, and of TbView.modalf; the grid's scratch is none where there is no such
+ * grid. */
 static size_t work_floats(const TaborModel *model) {
   static const size_t ROWS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_ROWS},
                       GRIDS[] = {[TB_IN_DOUBLE] = 0, [TB_IN_FLOAT] = TB_WORKF_GRIDS},

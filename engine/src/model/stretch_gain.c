@@ -5,11 +5,13 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Modes up to this many times the lowest frequency count, at every quality: at live these are all of a drum's two-way
- * modes. Half as many change third octaves of a bass drum by up to 6 dB, of toms by up to 0.8 dB. */
+/* Modes up to this many times the lowest frequency count, at every quality: at live these are all
+ * of a drum's two-way modes. Half as many change third octaves of a bass drum by up to 6 dB, of
+ * toms by up to 0.8 dB. */
 static const double TOP = 96.0;
 
-/* Appends the modes from `from` to `end` that count: of a run that is sorted by frequency, the first. */
+/* Appends the modes from `from` to `end` that count: of a run that is sorted by frequency, the
+ * first. */
 static uint32_t below(const TaborModel *model, double top, uint32_t from, uint32_t end) {
   const uint32_t *row = model->modes.row;
   uint32_t i = from;
@@ -89,8 +91,8 @@ static void fill_gain(const TaborModel *model, uint32_t which, double top, doubl
   }
 }
 
-/* A tension that is higher by this part raises the pitch by 0.4 cents, which nobody hears: of tones of 100 to 1,000 Hz listeners
- * tell 3 to 5 cents apart [Moore1973]. */
+/* A tension that is higher by this part raises the pitch by 0.4 cents, which nobody hears: of tones
+ * of 100 to 1,000 Hz listeners tell 3 to 5 cents apart [Moore1973]. */
 static const double LEAST_RISE = 5e-4;
 /* More than half a period of any head, within which its rise vanishes once [s]. */
 static const double HOLD[] = {[TB_IN_DOUBLE] = INFINITY, [TB_IN_FLOAT] = 0.02};

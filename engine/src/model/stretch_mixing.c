@@ -9,9 +9,9 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Third octaves of hard strokes are then within 0.8 dB of those of the whole matrix at live, up to 2 kHz, where they are
- * within 25 dB of the loudest (test_system_stretch), and within 0.5 dB at studio and reference. At live twice the part, or
- * 1500 Hz, leaves 2 to 6 dB. */
+/* Third octaves of hard strokes are then within 0.8 dB of those of the whole matrix at live, up to
+ * 2 kHz, where they are within 25 dB of the loudest (test_system_stretch), and within 0.5 dB at
+ * studio and reference. At live twice the part, or 1500 Hz, leaves 2 to 6 dB. */
 static const TbMixingLimits LIMITS[] = {
   [TB_IN_FLOAT] = {.least = 0.02, .top = 14451.0},  /* 2300 Hz */
   [TB_IN_DOUBLE] = {.least = 0.01, .top = 16336.0}, /* 2600 Hz */
@@ -164,8 +164,8 @@ static void find_copies(Order *o) {
   }
 }
 
-/* Modes of an order are sorted by frequency but for what the air outside changes: up to the first that is too high, or
- * whose copies the model has not. */
+/* Modes of an order are sorted by frequency but for what the air outside changes: up to the first
+ * that is too high, or whose copies the model has not. */
 static void count_modes(Order *o, double top) {
   const uint32_t last = o->order->m ? 1 : 0;
   while (o->count < o->order->mode_count && omega_of(o, o->count) < top &&

@@ -10,9 +10,9 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Cells share the band up to where the patch first feels nothing, J1(K a) = 0, but half an octave and more,
- * and no more than this part of the rate; the last one takes all above, and is the only one where modes go up to there. No oscillator is faster than FASTEST
- * times the rate. */
+/* Cells share the band up to where the patch first feels nothing, J1(K a) = 0, but half an octave
+ * and more, and no more than this part of the rate; the last one takes all above, and is the only
+ * one where modes go up to there. No oscillator is faster than FASTEST times the rate. */
 static const double FIRST_ZERO = 3.8317059702075123, LEAST_RATIO = 1.5;
 static const double TOP_OF_RATE = 0.3, FASTEST = 0.35;
 

@@ -12,18 +12,18 @@
  * more than the two-way modes do. The mobility of this part is purely springy below omega_c and has
  * the real part omega B^2/(4 T) above (D = 0, no air).
  *
- * The integral is cut into TB_TRUNCATED cells, each an oscillator of unit mass that the force drives
- * by phi:
- *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
- * Together the cells yield as the truncated modes do, at low and at high frequencies. Each decays by
- * half its cell's width in frequency. Side by side, such resonances are as smooth as the continuum
- * (within 2 exp(-pi)), but half an octave above omega_c they are a fifth short of it, because their
- * tails reach below omega_c. Their losses are the head's, in waves; without losses the cells keep
- * the energy. The last cell has no upper end; its part too fast for the sample rate is a spring.
- * The cells use the recursion of modes.h, so they are as exact in energy as other modes. (One
- * spring with a damper, f = d/C + r d', would do for the spring. But at the limit, where the real
- * part leaps to its full size, the spring has a fifth of it or less under a drumstick, K_c a = 1 to
- * 2; and over two steps without loss the spring rings at a quarter of the sample rate.)
+ * The integral is cut into TB_TRUNCATED cells, each an oscillator of unit mass that the force
+ * drives by phi: phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
+ * Together the cells yield as the truncated modes do, at low and at high frequencies. Each decays
+ * by half its cell's width in frequency. Side by side, such resonances are as smooth as the
+ * continuum (within 2 exp(-pi)), but half an octave above omega_c they are a fifth short of it,
+ * because their tails reach below omega_c. Their losses are the head's, in waves; without losses
+ * the cells keep the energy. The last cell has no upper end; its part too fast for the sample rate
+ * is a spring. The cells use the recursion of modes.h, so they are as exact in energy as other
+ * modes. (One spring with a damper, f = d/C + r d', would do for the spring. But at the limit,
+ * where the real part leaps to its full size, the spring has a fifth of it or less under a
+ * drumstick, K_c a = 1 to 2; and over two steps without loss the spring rings at a quarter of the
+ * sample rate.)
  *
  * Limits: C sums up to (1/(2 pi T)) Int_{K_c a}^inf (2 J1(u)/u)^2 du/u for D = 0. For omega_c ->
  * infinity or a -> infinity, nothing is missing. A point, a = 0, would yield without bound: it has

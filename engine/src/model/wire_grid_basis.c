@@ -107,8 +107,8 @@ static double remainder_of(const Samples *s, uint32_t m, uint32_t v, const doubl
   return worst;
 }
 
-/* Whether the components leave at most `error` of every sample. The last modes, which have the finest
- * shapes, are the first to fail. */
+/* Whether the components leave at most `error` of every sample. The last modes, which have the
+ * finest shapes, are the first to fail. */
 static bool suffice(TbArena *watched, const Samples *s, const double *weight, const double *basis,
                     uint32_t components, double error) {
   for (uint32_t m = s->modes; m-- > 0 && tb_arena_go_on(watched);) {
@@ -273,7 +273,8 @@ static void lane_weights(const TbWireGrid *wire_grid, double *weight) {
     weight[j] = j == wire_grid->middle ? 1.0 : sqrt(2.0);
 }
 
-/* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the wires. */
+/* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the
+ * wires. */
 static bool fit_along_class(Fit *fit, uint32_t along, double *work, double *basis) {
   TbWireGrid *wire_grid = &fit->projection->wire_grid;
   double weight[1024];

@@ -2,19 +2,19 @@
 /* What wires in contact take from the high band's modes.
  *
  * A high mode moves the head under the wires, but the contact solve does not see this motion
- * (high_band.h). In fact wires follow it, and bounce from it, and so damp it. Three things decide by
- * how much, for a wave of frequency omega and wavenumber k whose component along the wire is kx:
+ * (high_band.h). In fact wires follow it, and bounce from it, and so damp it. Three things decide
+ * by how much, for a wave of frequency omega and wavenumber k whose component along the wire is kx:
  *
  * 1. A touched wire follows. Contact and wire are in series; per length, with the force f,
  *      1/Z = 1/(lambda f + kappa/(i omega)) + 1/Z_w,  kappa = a K^(1/a) f^(1 - 1/a),
  *      Z_w = i omega mu + (T kx^2 + EI kx^4)/(i omega) + mu (sigma0 + sigma1 kx^2).
  *    Around it the head yields with the line mobility of an infinite membrane,
  *      Y = omega/(2 ky (T_h + 2 D k^2)), ky^2 = k^2 - kx^2,
- *    so a wave of velocity v loses Re Z/|1 + Y Z|^2 v^2: C(omega, f), a mean over all directions. (A
- *    wire that could not move would take lambda f. But a snare's mass resonates with its contact at
+ *    so a wave of velocity v loses Re Z/|1 + Y Z|^2 v^2: C(omega, f), a mean over all directions.
+ * (A wire that could not move would take lambda f. But a snare's mass resonates with its contact at
  *    some 6 kHz; below, the wire follows and takes next to nothing.)
- * 2. A wire that bounces lands harder on a head that comes to meet it. If it lands with the speed u,
- *    the impulse grows by the fraction v/u, which makes a resistance f/u. That holds for waves slow
+ * 2. A wire that bounces lands harder on a head that comes to meet it. If it lands with the speed
+ * u, the impulse grows by the fraction v/u, which makes a resistance f/u. That holds for waves slow
  *    against the contact. Of a contact that lasts half a period of its resonance, omega_r^2 =
  *    kappa/mu, faster waves see the spectrum of a half sine, with x = omega/omega_r:
  *      D = (f/u) S,  S = (cos(pi x/2)/(1 - x^2))^2,
@@ -28,8 +28,8 @@
  * the speed at which the contact closes: both are means over a few samples. Then s_0 = phi^2/2 Sum
  * h (C + D) with the mean of phi^2 over the bed.
  *
- * Limits: kappa, mu -> infinity, Y -> 0, no bounces, P -> infinity: s = phi^2/2 Sum lambda f. f -> 0:
- * s = 0. */
+ * Limits: kappa, mu -> infinity, Y -> 0, no bounces, P -> infinity: s = phi^2/2 Sum lambda f. f ->
+ * 0: s = 0. */
 #ifndef TB_WIRE_HOLD_H
 #define TB_WIRE_HOLD_H
 

@@ -9,11 +9,11 @@
  * square A at every s, and correlation exp(-d^2/(2 L^2)) between places a distance d apart, the
  * characteristic function of g.
  *
- * Assumptions. A snare wire is a coil drawn out of straight and soldered at its ends, and keeps bends
- * of its making. We know of no measurement of them: the Gaussian correlation is the simplest choice.
- * The bent shape is free of stress under the wire's tension and stays the same when the tension
- * changes: it adds no stiffness and only moves the datum of the penetration. Bends sideways are left
- * out. Limiting case: A = 0 is a straight wire, exactly. */
+ * Assumptions. A snare wire is a coil drawn out of straight and soldered at its ends, and keeps
+ * bends of its making. We know of no measurement of them: the Gaussian correlation is the simplest
+ * choice. The bent shape is free of stress under the wire's tension and stays the same when the
+ * tension changes: it adds no stiffness and only moves the datum of the penetration. Bends sideways
+ * are left out. Limiting case: A = 0 is a straight wire, exactly. */
 #ifndef TB_WIRE_SHAPE_H
 #define TB_WIRE_SHAPE_H
 

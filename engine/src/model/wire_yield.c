@@ -16,8 +16,8 @@ static const double PI = 3.14159265358979323846;
 /* No oscillator is faster than this part of the rate. */
 static const double FASTEST = 0.35;
 
-/* What A and B get on their diagonals, relative to the largest of A's, so that A has an inverse where the
- * grid has shapes that no mode moves. */
+/* What A and B get on their diagonals, relative to the largest of A's, so that A has an inverse
+ * where the grid has shapes that no mode moves. */
 static const double FLOOR = 1e-6;
 
 /* Of the top to the two-way bandwidth. */

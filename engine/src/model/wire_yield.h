@@ -3,8 +3,8 @@
  *
  * Two-way modes end at omega_c. To the wires, a head without the modes above is too stiff: beyond
  * omega_c it answers like a mass, and the wires chatter on that mass, brighter than on a head. A
- * striker has the same trouble, at one place (truncated_modes.h). Here there are hundreds of places,
- * close enough together to feel each other.
+ * striker has the same trouble, at one place (truncated_modes.h). Here there are hundreds of
+ * places, close enough together to feel each other.
  *
  * The modes above are the Bessel functions of the wires' head by itself, each with the mass of the
  * air on both sides (head_waves.h), from omega_c up to omega_t, the top of what is heard. On the
@@ -19,9 +19,9 @@
  * Each decays by (omega_t - omega_c)/2: waves as short as these leave the wires, and what the rim
  * returns is left to the high band (high_band.h). Without losses, these modes keep the energy.
  *
- * Limits: A and B are those of the truncated modes on the grid. What differs between neighbouring wires
- * more than the grid can represent does not yield. Where omega_t is within LEAST_RATIO of omega_c,
- * nothing to speak of is missing. */
+ * Limits: A and B are those of the truncated modes on the grid. What differs between neighbouring
+ * wires more than the grid can represent does not yield. Where omega_t is within LEAST_RATIO of
+ * omega_c, nothing to speak of is missing. */
 #ifndef TB_WIRE_YIELD_H
 #define TB_WIRE_YIELD_H
 

@@ -91,7 +91,8 @@ void tabor_room_state_save(const TaborRoom *room, void *bytes) {
   memcpy((char *)bytes + size, &sum, sizeof sum);
 }
 
-/* The loudest that a state may be, in full scales: products and sums of such numbers stay finite. */
+/* The loudest that a state may be, in full scales: products and sums of such numbers stay finite.
+ */
 static const float LOUDEST = 1e15f;
 
 static bool is_sound(const void *values, size_t count) {

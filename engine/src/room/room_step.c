@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT */
-/* What a room does with a piece of sound. Loops run over frames within a line, so that compilers can use
- * vectors without changing the order of any sum. */
+/* What a room does with a piece of sound. Loops run over frames within a line, so that compilers
+ * can use vectors without changing the order of any sum. */
 #include <math.h>
 #include <string.h>
 
 #include "room/room.h"
 
-/* Values below -180 dBFS are written to rings as zeros. After the longest ring everything is zero. */
+/* Values below -180 dBFS are written to rings as zeros. After the longest ring everything is zero.
+ */
 static const float INAUDIBLE = 1e-9f;
-/* Less is zero in a filter's memory: products with it stay above 1e-38, where denormals begin, which not all machines flush. */
+/* Less is zero in a filter's memory: products with it stay above 1e-38, where denormals begin,
+ * which not all machines flush. */
 static const float NOTHING = 1e-34f;
 static const float MIX = 0.17677669f; /* 1/sqrt(TB_ROOM_LINES): the mixing matrix is orthogonal */
 static const float LARGEST = 1e6f;    /* of a feed; what is larger or not a number counts as 0 */

@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: MIT */
 /* A bound on the work of events: see tabor_drum_process() in tabor.h.
  *
- * Each event that acts adds its price to a debt of the drum, and each frame pays some back. Strokes, presses and
- * damping hands change which contacts a drum has, which costs as much as several samples: they act while the debt
- * leaves room for one more within a burst. Live changes, gains and moves of brushes cost little, and may go on to
- * twice that debt, so that a flood of strokes does not hold up a knob.
+ * Each event that acts adds its price to a debt of the drum, and each frame pays some back.
+ * Strokes, presses and damping hands change which contacts a drum has, which costs as much as
+ * several samples: they act while the debt leaves room for one more within a burst. Live changes,
+ * gains and moves of brushes cost little, and may go on to twice that debt, so that a flood of
+ * strokes does not hold up a knob.
  *
- * Silences, resets and drum changes act whatever the debt. Each brings the drum to rest, so that a further one costs
- * next to nothing until something else has acted, which only a debt below the limits allows; and a drum that cannot
- * afford a swap is replaced, which is prepared. Releases are free: what they take away has paid when it came.
+ * Silences, resets and drum changes act whatever the debt. Each brings the drum to rest, so that a
+ * further one costs next to nothing until something else has acted, which only a debt below the
+ * limits allows; and a drum that cannot afford a swap is replaced, which is prepared. Releases are
+ * free: what they take away has paid when it came.
  *
- * The debt is part of the state, so what is dropped does not depend on the division into blocks. Audio-safe. */
+ * The debt is part of the state, so what is dropped does not depend on the division into blocks.
+ * Audio-safe. */
 #ifndef TB_EVENT_BUDGET_H
 #define TB_EVENT_BUDGET_H
 
@@ -41,7 +44,8 @@ static inline uint32_t tb_event_price(const TaborEvent *event) {
   }
 }
 
-/* True if the debt leaves room for `price`: that of a stroke or a whole drum within a burst, that of a change within two. */
+/* True if the debt leaves room for `price`: that of a stroke or a whole drum within a burst, that
+ * of a change within two. */
 static inline bool tb_event_affordable(uint32_t debt, uint32_t price) {
   const uint32_t limit = price > TB_DEBT_CHANGE ? TB_DEBT_BURST : 2 * TB_DEBT_BURST;
   return price == 0 || debt + price <= limit;

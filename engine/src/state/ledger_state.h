@@ -8,9 +8,9 @@
 typedef struct TbLedgerState {
   TaborLedger sums; /* stored and residual are not kept */
   TaborStatistics statistics;
-  double sound_work; /* that sound from outside has done since the last reset [J] */
-  double
-    radiated_beyond; /* part of sums.radiated that the modes did not lose to the air (radiated_power.h) [J] */
+  double sound_work;      /* that sound from outside has done since the last reset [J] */
+  double radiated_beyond; /* part of sums.radiated that the modes did not lose to the air
+                             (radiated_power.h) [J] */
 } TbLedgerState;
 
 #endif

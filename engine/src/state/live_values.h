@@ -28,7 +28,8 @@ typedef struct TbLiveParam {
   uint32_t left;
 } TbLiveParam;
 
-/* Starts a linear move of `samples` samples; 0: the value is there at once. Audio-safe, as all here. */
+/* Starts a linear move of `samples` samples; 0: the value is there at once. Audio-safe, as all
+ * here. */
 static inline void tb_live_move(TbLiveParam *live, double target, uint32_t samples) {
   live->target = target;
   live->left = samples;

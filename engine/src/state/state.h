@@ -44,7 +44,8 @@ typedef struct TbPhase {
   double (*truncated)[TB_TRUNCATED], (*bow)[TB_BENDS];
 } TbPhase;
 
-/* Sound from outside: pressure [Pa] at this step and at the one before, from the place of a microphone. */
+/* Sound from outside: pressure [Pa] at this step and at the one before, from the place of a
+ * microphone. */
 typedef struct TbIncident {
   uint32_t mic;
   bool low; /* the low modes alone hear it */

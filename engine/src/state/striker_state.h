@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The striker pool's part of a drum's state (strikers/striker_pool.h). A slot is a place in the pool. */
+/* The striker pool's part of a drum's state (strikers/striker_pool.h). A slot is a place in the
+ * pool. */
 #ifndef TB_STRIKER_STATE_H
 #define TB_STRIKER_STATE_H
 
@@ -62,8 +63,9 @@ typedef struct TbBristles {
   double due;  /* brush's path length at its next slip [m] */
 } TbBristles;
 
-/* Height is z, relative to the head's rest height at its place. Penetration eta = w + d - z (a hand: eta =
- * w); d is the displacement of the truncated modes. On the hoop, w is the hoop's displacement. */
+/* Height is z, relative to the head's rest height at its place. Penetration eta = w + d - z (a
+ * hand: eta = w); d is the displacement of the truncated modes. On the hoop, w is the hoop's
+ * displacement. */
 typedef struct TbSlot {
   uint32_t kind, id;
   uint64_t serial;      /* order of arrival */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* Energy stored between two successive instants, counted from the rest state [J]. Audio-safe.
  *
- * Modes and wires are quadratic in their deviation from rest. A contact contributes the mean over the
- * two instants of V(eta) - V(eta_r) - f_r (eta - eta_r - shift): the linear terms of head, wires and
- * gravity around the equilibrium sum up to -f_r times the deviation. A wire whose tension has moved by
- * dT since rest adds dT Int (v_r'^2/2 + v_r' v') dx. */
+ * Modes and wires are quadratic in their deviation from rest. A contact contributes the mean over
+ * the two instants of V(eta) - V(eta_r) - f_r (eta - eta_r - shift): the linear terms of head,
+ * wires and gravity around the equilibrium sum up to -f_r times the deviation. A wire whose tension
+ * has moved by dT since rest adds dT Int (v_r'^2/2 + v_r' v') dx. */
 #ifndef TB_ENERGY_H
 #define TB_ENERGY_H
 

@@ -185,7 +185,8 @@ static void move_mufflers(TbView *view) {
   tb_pool_muffle(view);
 }
 
-/* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are does not. */
+/* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are
+ * does not. */
 static void move_wires(TbView *view) {
   TbLiveParam *live = view->state->live.values;
   const bool ends = under_way(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);

@@ -20,7 +20,8 @@
 /* Far below anything audible: a medium stroke brings some 1e-2 J. */
 static const double SILENT_ENERGY[] = {
   [TB_IN_DOUBLE] = 1e-18, /* [J] */
-  /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires. */
+  /* Rounding keeps wires that lie on a head moving: 5e-17 J for the heaviest of the presets' wires.
+   */
   [TB_IN_FLOAT] = 1e-15,
 };
 static const double UNHEARD[] = {

@@ -67,14 +67,14 @@ static void penetrate_wires(TbView *view, double *slots) {
   tb_wire_motion_of(view)->penetrate(view);
 }
 
-/* 1 where the law acts on the sum of the last two instants' penetrations (contact_law.h), which stands in
- * view->last.eta during the solve; otherwise 0. */
+/* 1 where the law acts on the sum of the last two instants' penetrations (contact_law.h), which
+ * stands in view->last.eta during the solve; otherwise 0. */
 static double law_of_sum(const TbView *view, uint32_t slot) {
   return tb_slot_strikes(tb_slot(view, slot)) ? 1.0 : 0.0;
 }
 
-/* b: the change of penetration over two steps without contact forces, with the load at rest. Where a law acts on a sum,
- * that stands in view->last.eta until respond() takes it out again. */
+/* b: the change of penetration over two steps without contact forces, with the load at rest. Where
+ * a law acts on a sum, that stands in view->last.eta until respond() takes it out again. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
@@ -126,8 +126,8 @@ static void respond_to_wires(TbView *view, bool unchanged) {
   kernels->add_product(modes->group[modes->groups], view->next.q, modes->pull, view->modal);
 }
 
-/* Adds what all contact forces do to the free motion in view->next. Lifted wires touch nothing, at rest neither, so they add
- * nothing. */
+/* Adds what all contact forces do to the free motion in view->next. Lifted wires touch nothing, at
+ * rest neither, so they add nothing. */
 static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const uint32_t stride = model->wires.stride;
@@ -149,8 +149,9 @@ static void respond(TbView *view, bool unchanged) {
   }
 }
 
-/* The last pass over the modes: adds what stretching heads do to view->next, and finds what the modes lost in the step and
- * what microphone `mic` hears of them. All of it needs only the finished displacements, so one pass reads them once. */
+/* The last pass over the modes: adds what stretching heads do to view->next, and finds what the
+ * modes lost in the step and what microphone `mic` hears of them. All of it needs only the finished
+ * displacements, so one pass reads them once. */
 static void end_modes(TbView *view, uint32_t mic) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
@@ -198,15 +199,16 @@ static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
   if (outcome->touching > statistics->contact_max) statistics->contact_max = outcome->touching;
 }
 
-/* The forces that the solve found could not be balanced, and the step was shortened: nothing of them is to be kept. */
+/* The forces that the solve found could not be balanced, and the step was shortened: nothing of
+ * them is to be kept. */
 static void forget_forces(TbView *view) {
   tb_solve_forget(&view->solve);
   tb_stretch_clear(view);
   view->mics.ear = TB_NO_EAR;
 }
 
-/* Energy that the contacts took, and the losses of all parts. Where the forces would create energy, the guard shortens the
- * step first. */
+/* Energy that the contacts took, and the losses of all parts. Where the forces would create energy,
+ * the guard shortens the step first. */
 static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
   const bool shortened = outcome->excess > 0.0 && tb_energy_guard(view);
   if (shortened) {
@@ -224,12 +226,14 @@ static void wake_by_sound(TbView *view) {
   tb_coupling_renew(view);
 }
 
-/* Everything is first moved without contact forces; the solve finds the forces; then they move everything. Each line says
- * what it reads -> what it writes, beside model and state: q of modes, v of wires, z of strikers and eta, the penetrations of
- * rows, are those of the instants next, now and last; b, s and f = solve.warm.force are rows of the solve (solve.h). */
+/* Everything is first moved without contact forces; the solve finds the forces; then they move
+ * everything. Each line says what it reads -> what it writes, beside model and state: q of modes, v
+ * of wires, z of strikers and eta, the penetrations of rows, are those of the instants next, now
+ * and last; b, s and f = solve.warm.force are rows of the solve (solve.h). */
 void tb_step(TbView *view, uint32_t heard, double *pressure) {
   wake_by_sound(view);
-  /* live values -> coefficients of wires, grips, mufflers, gains; what that moves: now.eta, last.eta, ledger */
+  /* live values -> coefficients of wires, grips, mufflers, gains; what that moves: now.eta,
+   * last.eta, ledger */
   tb_live_params_step(view);
   TB_STAGE(STRIKERS);
   tb_brush_step(view);      /* brushes -> places of their slots, now.eta, last.eta, ledger */

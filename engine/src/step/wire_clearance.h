@@ -5,8 +5,8 @@
  * of that distance. While no point of the head can come near a wire, neither the wires nor the
  * head's motion under them is computed: the wires' deviations, contact forces and changes of
  * penetration are exactly 0. Only a drum that is defined with its strainer off lifts its wires:
- * where it is thrown off while it is played, they hang in another shape than that of rest, and go on
- * being computed.
+ * where it is thrown off while it is played, they hang in another shape than that of rest, and go
+ * on being computed.
  *
  * The head's displacement under the wires is at most Sum_i |q_i| max |phi_i| (model/wire_reach.h).
  * The wires count as lifted while this bound stays below half of the least gap. A head would have

@@ -12,9 +12,11 @@ static const double COATING = 2.5e-5; /* root mean square of the coating's heigh
 
 /* The fan comes down aslant: groups land one after another, over this part of its radius. */
 static const double SLANT = 0.05;
-/* Wires that are slapped down slide outwards at this part of the speed of the stroke, and come to rest. */
+/* Wires that are slapped down slide outwards at this part of the speed of the stroke, and come to
+ * rest. */
 static const double SPLAY = 0.3, SPLAY_TIME = 0.01; /* [s] */
-/* From the middle of the fan to that of a group, in parts of its radius: the mean of an even disc. */
+/* From the middle of the fan to that of a group, in parts of its radius: the mean of an even disc.
+ */
 static const double GROUP_RADIUS = 2.0 / 3.0;
 
 static const double WIRE_RESISTANCE = 0.0135; /* of one wire: see brush.h [N s/m] */
@@ -211,8 +213,8 @@ static bool is_meant(const TbBrush *brush, uint32_t id) {
   return brush->active && (id == 0 || brush->id == id);
 }
 
-/* Seconds that a move takes which does not say: as long as since the last, of which a controller's second half,
- * right behind its first, is no part. */
+/* Seconds that a move takes which does not say: as long as since the last, of which a controller's
+ * second half, right behind its first, is no part. */
 static double usual_time(const TbView *view, const TbBrush *brush) {
   const double passed = (double)(view->state->clock - brush->moved) * view->model->time_step;
   if (passed < SOONEST && brush->left > 0) return (double)brush->left * view->model->time_step;

@@ -3,8 +3,8 @@
 
 #include "math/draw.h"
 
-/* Lengths that make up the roughness, and c/H: 5 c^2 times the variance of a spline of numbers from -1
- * to 1, 151/315 times 1/3, is 1. */
+/* Lengths that make up the roughness, and c/H: 5 c^2 times the variance of a spline of numbers from
+ * -1 to 1, 151/315 times 1/3, is 1. */
 #define LENGTHS 5u
 static const double PART = 1.118774163600087;
 

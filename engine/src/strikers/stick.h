@@ -21,13 +21,13 @@
  *   Its angle makes the shaft reach the hoop 0.8 ms after the tip reaches the head: d (tan(angle) -
  *   height/d) is the gap, 2 mm at 2.5 m/s.
  * - Cross-stick: the stick lies across the drum, its tip at the stroke's place, its shaft over the
- *   hoop opposite, d = R + r away. It turns about its tip and meets the hoop with the stroke's speed:
- *   S2 (v/d)^2/2, hand included. The hand presses the shaft down: h = -(F0 + c z_s,t), the damper
- *   centred, is one more force at the place s of the shaft. So the shaft bounces some times on the
- *   hoop and comes to rest there. The palm lies on the head over the tip, as a damping hand. F0 falls
- *   evenly to nothing in 0.3 s, the palm's resistance in the last 0.1 s of it; then both are gone.
- *   F0 and c do not depend on the grip, as the hand's mass does not. The next cross-stick takes the
- *   stick of the last along.
+ *   hoop opposite, d = R + r away. It turns about its tip and meets the hoop with the stroke's
+ * speed: S2 (v/d)^2/2, hand included. The hand presses the shaft down: h = -(F0 + c z_s,t), the
+ * damper centred, is one more force at the place s of the shaft. So the shaft bounces some times on
+ * the hoop and comes to rest there. The palm lies on the head over the tip, as a damping hand. F0
+ * falls evenly to nothing in 0.3 s, the palm's resistance in the last 0.1 s of it; then both are
+ * gone. F0 and c do not depend on the grip, as the hand's mass does not. The next cross-stick takes
+ * the stick of the last along.
  *
  * On drums wider than the stick's length, the tip is as near to the stroke's place as it can be
  * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer than 0.03 m to the
@@ -79,9 +79,9 @@ double tb_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other);
 double tb_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next, const TbPhase *now);
 /* Energy that this bending loses in a step [J]. */
 double tb_stick_loss(const TbView *view, uint32_t slot);
-/* What a unit force at the stick's end `other`, which may be the same, does to the height of a slot's end
- * in one step, without bending [m/N]; and this end's next height without contact forces [m]. Both
- * need a slot of TB_SLOT_END. */
+/* What a unit force at the stick's end `other`, which may be the same, does to the height of a
+ * slot's end in one step, without bending [m/N]; and this end's next height without contact forces
+ * [m]. Both need a slot of TB_SLOT_END. */
 double tb_stick_compliance(const TbView *view, uint32_t slot, uint32_t other);
 double tb_stick_free_height(const TbView *view, uint32_t slot);
 /* A slot's part of twice the kinetic energy of its body between two instants [J]. */

@@ -80,8 +80,9 @@ void tb_pool_wake(TbView *view, const double *shape) {
   couple_mufflers(view, modal_coupling);
 }
 
-/* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit force
- * does to the modes, and the compliance to the grid under the wires and to every other slot. */
+/* How head or hoop yields at this slot to forces everywhere, over one step: its shape, what a unit
+ * force does to the modes, and the compliance to the grid under the wires and to every other slot.
+ */
 static void couple(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
@@ -431,8 +432,8 @@ static bool is_done(const TbView *view, uint32_t slot) {
   return s->kind != TB_SLOT_END && is_leaving(view, slot);
 }
 
-/* The hand on a cross-stick's shaft presses less and less, and takes the stick with it as the palm leaves the head,
- * or at once if it is lifted. */
+/* The hand on a cross-stick's shaft presses less and less, and takes the stick with it as the palm
+ * leaves the head, or at once if it is lifted. */
 static void relax_shaft(TbView *view, uint32_t slot) {
   TbSlot *s = tb_slot(view, slot);
   const double rate = view->model->step_rate;

@@ -60,10 +60,11 @@ void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle);
 /* Recomputes law, shape and coupling of a slot from its description, as after a swap. */
 void tb_pool_rebuild(TbView *view, uint32_t slot);
 
-/* Call before something pushes the modes where shape[padded] is not 0, NULL: all; those that mufflers push move with them. Call
- * tb_coupling_renew() after what pushes them is in place. */
+/* Call before something pushes the modes where shape[padded] is not 0, NULL: all; those that
+ * mufflers push move with them. Call tb_coupling_renew() after what pushes them is in place. */
 void tb_pool_wake(TbView *view, const double *shape);
-/* Call after modes have come to rest (moving_modes.h): mufflers move fewer. tb_coupling_renew() is to follow. */
+/* Call after modes have come to rest (moving_modes.h): mufflers move fewer. tb_coupling_renew() is
+ * to follow. */
 void tb_pool_yield_anew(TbView *view);
 
 #endif

@@ -23,8 +23,8 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
   return buzz ? mass * (tip_part(def->hand.pivot) / tip_part(USUAL_PIVOT)) : mass;
 }
 
-/* The slot where a hand presses the stick of slot `i`, the shaft's of one that lies across the drum; TB_SLOTS if none
- * presses it. */
+/* The slot where a hand presses the stick of slot `i`, the shaft's of one that lies across the
+ * drum; TB_SLOTS if none presses it. */
 static uint32_t pressed_slot(const TbView *view, uint32_t i) {
   const TbSlot *slots = view->state->strikers.slots;
   const bool is_tip = slots[i].kind == TB_SLOT_END && !slots[i].on_hoop;

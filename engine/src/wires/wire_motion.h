@@ -28,9 +28,10 @@ typedef struct TbWireMotion {
   void (*settle)(TbView *view);
 } TbWireMotion;
 
-/* Computes phase->eta[stride], the penetrations of the wires' contact points, from the displacements of `phase`: eta = side w - v
- * + eta_rest + shift. w is the head's and v the wire's displacement from rest; `shift` is the penetration added by moving
- * the wires' ends [m]. */
+/* Computes phase->eta[stride], the penetrations of the wires' contact points, from the
+ * displacements of `phase`: eta = side w - v
+ * + eta_rest + shift. w is the head's and v the wire's displacement from rest; `shift` is the
+ * penetration added by moving the wires' ends [m]. */
 void tb_penetrations_from_displacements(TbView *view, TbPhase *phase);
 
 extern const TbWireMotion tb_wire_motion, tb_wire_motionf;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Hosts do not wait for models that nobody wants any more, nor longer than a limit for one that is wanted. In real time
- * no model is better than at live.
+ * Hosts do not wait for models that nobody wants any more, nor longer than a limit for one that is
+ * wanted. In real time no model is better than at live.
  *
  * test_clap_builds PLUGINS [brief]: without models at studio that are played, for slow builds.
  */
@@ -75,7 +75,8 @@ static void change_drum(ClapHost *host, const char *lines) {
 #define COSTLY                                                                                     \
   "quality.two_way_bandwidth = 16000\nquality.bandwidth = 20000\nquality.wire_points = 200\n"
 
-/* Asks for a costly model that no other instance has, by its tension [N/m]; `offline`: and waits for it. */
+/* Asks for a costly model that no other instance has, by its tension [N/m]; `offline`: and waits
+ * for it. */
 static void ask_for_costly(ClapHost *host, int tension, bool offline) {
   char lines[256];
   (void)snprintf(lines, sizeof lines, COSTLY "batter.tension = %d\n", tension);
@@ -198,7 +199,8 @@ static void strike(ClapHost *host, Heard *heard) {
   memcpy(heard->said, host->said, sizeof heard->said);
 }
 
-/* A stroke in a host that exports, or does not; and with `then` one that begins to after a block. */
+/* A stroke in a host that exports, or does not; and with `then` one that begins to after a block.
+ */
 static Heard hear(const char *id, uint32_t quality, bool exports, bool then) {
   Heard heard;
   ClapHost *const host = clap_host_open(entry, id);
@@ -238,7 +240,8 @@ static void so_it_is_for_a_kit(void **state) {
   check_export(ID_KIT);
 }
 
-/* Offline, the host waits in its audio thread: of a drum of 30 wires at reference it gets studio, and is told. */
+/* Offline, the host waits in its audio thread: of a drum of 30 wires at reference it gets studio,
+ * and is told. */
 static void what_takes_too_long_plays_at_a_lower_quality(void **state) {
   (void)state;
   ClapHost *const host = open_draft();

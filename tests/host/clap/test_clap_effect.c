@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The CLAP plugin Tabor Rattle: a loudspeaker plays what comes in to a snare drum. The drum alone equals `tabor render
- * --input` to the bit, whatever the sizes of the blocks are; the mix, silence and bad samples do what they should.
+ * The CLAP plugin Tabor Rattle: a loudspeaker plays what comes in to a snare drum. The drum alone
+ * equals `tabor render
+ * --input` to the bit, whatever the sizes of the blocks are; the mix, silence and bad samples do
+ * what they should.
  *
  * test_clap_effect PROGRAM PLUGINS [brief]
  */
@@ -121,7 +123,8 @@ static void the_mix_is_a_sum(void **state) {
   for (int i = 0; i < 3; i++) take_close(takes[i]);
 }
 
-/* Silence in is silence out, and the plugin sleeps; sound that is not a number does not reach the drum. */
+/* Silence in is silence out, and the plugin sleeps; sound that is not a number does not reach the
+ * drum. */
 static void silence_and_bad_samples(void **state) {
   (void)state;
   ClapHost *const host = open_effect(0.5);

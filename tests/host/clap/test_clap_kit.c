@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The CLAP plugin Tabor Kit plays a MIDI file as `tabor render --kit` does, to the bit, its mix and each drum, whatever the
- * sizes of the blocks are; knobs, states, chokes and names do what they say.
+ * The CLAP plugin Tabor Kit plays a MIDI file as `tabor render --kit` does, to the bit, its mix and
+ * each drum, whatever the sizes of the blocks are; knobs, states, chokes and names do what they
+ * say.
  *
  * test_clap_kit PROGRAM PLUGINS [brief | songs NUMBER]
  *
@@ -153,7 +154,8 @@ static void levels_are_factors(void **state) {
   clap_host_close(host);
 }
 
-/* Overheads that move every 10 ms while a drum rings move at once, and what rings goes on: nothing is built or faded. */
+/* Overheads that move every 10 ms while a drum rings move at once, and what rings goes on: nothing
+ * is built or faded. */
 static void overheads_move_while_drums_ring(void **state) {
   (void)state;
   enum { STEP = 480, STEPS = 20, RINGS = 2 + 2 * 2 };
@@ -245,7 +247,8 @@ typedef struct Automation {
   bool keeps_tom; /* the tom itself has the same bits, too */
 } Automation;
 
-/* While a drum is tuned or the room changes, nothing fades: the other drums have the same bits, and the tom rings on. */
+/* While a drum is tuned or the room changes, nothing fades: the other drums have the same bits, and
+ * the tom rings on. */
 static void automate(const Automation *automation) {
   enum { STEP = 480, STEPS = 12, KICKS = 2, SNARES = 4, TOMS = 6 }; /* channels */
   ClapHost *const hosts[2] = {open_kit(0), open_kit(0)};

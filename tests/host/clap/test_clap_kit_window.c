@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of Tabor Kit on an X server of its own: a click strikes the drum that stands there, what plays lights up,
- * controls turn and are told to the host, kits, undo and comparison, that blocks wait for nothing while it is open, and
- * that nothing stays of a window that is closed.
+ * The window of Tabor Kit on an X server of its own: a click strikes the drum that stands there,
+ * what plays lights up, controls turn and are told to the host, kits, undo and comparison, that
+ * blocks wait for nothing while it is open, and that nothing stays of a window that is closed.
  *
- * test_clap_kit_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
+ * test_clap_kit_window; OPENINGS in the environment is how often a window is opened, PICTURES a
+ * folder for pictures of it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "clap_window.h"

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Drums and kits, built in and the user's, as a host's browser finds and loads them, and the pages of remote controls.
+ * Drums and kits, built in and the user's, as a host's browser finds and loads them, and the pages
+ * of remote controls.
  *
  * test_clap_presets PLUGINS
  */

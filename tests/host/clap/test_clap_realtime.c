@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Random playing of the CLAP plugins, with parameters, modulation, program changes, note expressions and states that are
- * loaded meanwhile: blocks allocate nothing, lock nothing, sleep nowhere and touch no file, and leave the processor's
- * floating-point mode as the host has set it.
+ * Random playing of the CLAP plugins, with parameters, modulation, program changes, note
+ * expressions and states that are loaded meanwhile: blocks allocate nothing, lock nothing, sleep
+ * nowhere and touch no file, and leave the processor's floating-point mode as the host has set it.
  *
  * test_clap_realtime [SECONDS of sound [CHANGES of the model, at least]]
  */

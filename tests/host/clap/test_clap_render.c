@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The CLAP plugins play a MIDI file as `tabor render --midi-file` does, to the bit, whatever the sizes of the blocks
- * are; parameters act at their frames, as the same move by MIDI does.
+ * The CLAP plugins play a MIDI file as `tabor render --midi-file` does, to the bit, whatever the
+ * sizes of the blocks are; parameters act at their frames, as the same move by MIDI does.
  *
  * test_clap_render PROGRAM PLUGINS [brief | songs NUMBER]
  *
- * `songs` plays whole songs in all sizes of blocks, and NUMBER random ones; otherwise songs are cut.
+ * `songs` plays whole songs in all sizes of blocks, and NUMBER random ones; otherwise songs are
+ * cut.
  */
 #include "clap_songs.h"
 
@@ -181,7 +182,8 @@ static void by_modulation(ClapHost *host) {
   midi(host, 3333, 0x99, 38, 90);
 }
 
-/* Wires that come back to a ringing head touch it at another instant; wires that leave it may be in the air. */
+/* Wires that come back to a ringing head touch it at another instant; wires that leave it may be in
+ * the air. */
 static void a_frame_later(ClapHost *host) {
   midi(host, 0, 0x99, 38, 100);
   clap_host_set(host, 1001, KNOB_STRAINER, 0);

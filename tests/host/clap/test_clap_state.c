@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the CLAP plugins save and load: an instance is found as it was left, and a state that is wrong changes nothing.
+ * What the CLAP plugins save and load: an instance is found as it was left, and a state that is
+ * wrong changes nothing.
  *
  * test_clap_state PLUGINS
  */
@@ -153,7 +154,8 @@ static void test_an_instance_is_found_as_it_was_left(void **state) {
   found_as_left(used);
 }
 
-/* The drum that a control chooses stands in its own room at once, not only once the session is opened again. */
+/* The drum that a control chooses stands in its own room at once, not only once the session is
+ * opened again. */
 static void test_a_chosen_drum_is_found_in_its_room(void **state) {
   (void)state;
   ClapHost *const host = open_active(), *const copy = open_drum();
@@ -354,8 +356,9 @@ static void sounds_as_left_without_pitch(void) {
   clap_host_close(copy);
 }
 
-/* Where pitches began at 0, sessions saved it: the tension leads. The name of the line is changed, so that it is passed
- * over, and an old one is put before it. Still older sessions have no pitch. */
+/* Where pitches began at 0, sessions saved it: the tension leads. The name of the line is changed,
+ * so that it is passed over, and an old one is put before it. Still older sessions have no pitch.
+ */
 static void test_old_sessions_have_no_pitch(void **state) {
   (void)state;
   replace("batter_pitch ", "batter_pitch 00000000 00000000\ncolour ");
@@ -443,7 +446,8 @@ static void test_an_old_pitch_out_of_reach_is_none(void **state) {
   clap_host_close(copy);
 }
 
-/* A value outside of a parameter's range, from a version whose range was wider, is brought into it. */
+/* A value outside of a parameter's range, from a version whose range was wider, is brought into it.
+ */
 static void test_values_are_in_range(void **state) {
   (void)state;
   ClapHost *const host = open_drum();

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Two instances play in two threads, while the main thread saves and loads them and reads their parameters: for
- * ThreadSanitizer (test_plugin_races.sh), and what they play is what one by itself plays.
+ * Two instances play in two threads, while the main thread saves and loads them and reads their
+ * parameters: for ThreadSanitizer (test_plugin_races.sh), and what they play is what one by itself
+ * plays.
  *
  * test_clap_threads [BLOCKS]
  */

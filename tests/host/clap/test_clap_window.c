@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of the CLAP plugins on an X server of its own: what is clicked is struck, controls turn and are told to the
- * host, microphones move, presets, undo and comparison, sizes, that blocks wait for nothing while it is open, and that nothing stays of a
- * window that is closed.
+ * The window of the CLAP plugins on an X server of its own: what is clicked is struck, controls
+ * turn and are told to the host, microphones move, presets, undo and comparison, sizes, that blocks
+ * wait for nothing while it is open, and that nothing stays of a window that is closed.
  *
- * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
+ * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder
+ * for pictures of it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "clap_window.h"
@@ -127,7 +128,8 @@ static uint32_t green_beside(const Opened *opened) {
   return x11_server_pixel(&server, opened->inner, BESIDE_X, BESIDE_Y) >> 8 & 255;
 }
 
-/* The server draws when it comes to it: what is asked for here may come first. A head at rest is bright. */
+/* The server draws when it comes to it: what is asked for here may come first. A head at rest is
+ * bright. */
 static uint32_t green_at_rest(const Opened *opened) {
   uint32_t green = 0;
   for (int i = 0; i < 500 && green < 160; i++) {

@@ -19,7 +19,8 @@ static void says(double frequency, const char *expected) {
   assert_string_equal(text, expected);
 }
 
-/* Equal temperament: a semitone is the twelfth root of 2. Frequencies of notes are those of any table. */
+/* Equal temperament: a semitone is the twelfth root of 2. Frequencies of notes are those of any
+ * table. */
 static void test_notes_are_named(void **state) {
   (void)state;
   says(440, "A4");

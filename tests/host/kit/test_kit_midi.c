@@ -54,7 +54,8 @@ static void a_note_goes_to_its_drum_alone(void **state) {
   }
 }
 
-/* A bass drum is struck where its beater lands, not in the middle as note 36 of a single drum is. */
+/* A bass drum is struck where its beater lands, not in the middle as note 36 of a single drum is.
+ */
 static void a_drum_is_struck_where_its_preset_says(void **state) {
   (void)state;
   const TaborDrumDef *kick = &kit->drum[tabor_kit_def_find(kit, "kick")].def;
@@ -178,7 +179,8 @@ static void a_map_by_name_translates_notes(void **state) {
   }
 }
 
-/* A note of the instrument plays the sample of the General MIDI note that it stands for, or is counted as it came. */
+/* A note of the instrument plays the sample of the General MIDI note that it stands for, or is
+ * counted as it came. */
 static void a_map_by_name_finds_samples(void **state) {
   (void)state;
   use_map("roland");
@@ -194,7 +196,8 @@ static void a_map_by_name_finds_samples(void **state) {
   assert_int_equal(midi->unknown[60], 1);
 }
 
-/* A note-on of velocity 0 ends a note, which a sample does not hear; key pressure of a grabbed cymbal chokes it. */
+/* A note-on of velocity 0 ends a note, which a sample does not hear; key pressure of a grabbed
+ * cymbal chokes it. */
 static void a_sample_is_struck_and_choked_but_not_ended(void **state) {
   (void)state;
   kit_midi_begin(midi, kit, &kit_midi_setup_default);

@@ -25,7 +25,8 @@ static TaborKitDef kit;
 static KitMidi midi;
 static KitSong song;
 
-/* A file of so many notes, 24 ticks apart, in turn of the bass drum, of the snare drum and of none. */
+/* A file of so many notes, 24 ticks apart, in turn of the bass drum, of the snare drum and of none.
+ */
 static void write_song(uint32_t strokes, uint8_t first) {
   static MidiWriter writer;
   memset(&writer, 0, sizeof writer);

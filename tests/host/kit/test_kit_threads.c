@@ -119,7 +119,8 @@ static void kits_of_other_sizes_come_and_go(void **state) {
   kit_threads_end(threads);
 }
 
-/* The system has stopped a thread within a drum: that round is late, those after it are the caller's alone. */
+/* The system has stopped a thread within a drum: that round is late, those after it are the
+ * caller's alone. */
 static void who_is_late_is_left_out(void **state) {
   (void)state;
   Work work = {.stops = 0.05};
@@ -132,7 +133,8 @@ static void who_is_late_is_left_out(void **state) {
   kit_threads_end(threads);
 }
 
-/* From now on no other thread comes back from its sleep, as where the system gives it no processor, until `thaw` is posted. */
+/* From now on no other thread comes back from its sleep, as where the system gives it no processor,
+ * until `thaw` is posted. */
 static atomic_bool is_frozen;
 static atomic_uint frozen;
 static sem_t thaw;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The bundle as hosts see it, through lilv: what validators miss. The description against the binary, indices,
- * symbols, ranges, and the factory presets, which are the built-in ones.
+ * The bundle as hosts see it, through lilv: what validators miss. The description against the
+ * binary, indices, symbols, ranges, and the factory presets, which are the built-in ones.
  *
  * test_lv2_description BUNDLE
  */
@@ -297,7 +297,8 @@ static void test_knobs(void **state) {
   }
 }
 
-/* Numbers for ever: sessions of users have them, and programs of MIDI. They are the engine's drums. */
+/* Numbers for ever: sessions of users have them, and programs of MIDI. They are the engine's drums.
+ */
 static void test_choices_of_the_drum_do_not_change(void **state) {
   (void)state;
   static const char *const drums[] = {"tabor",

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The LV2 plugin Tabor Rattle: the drum alone equals `tabor render --input` to the bit, whatever the sizes of the runs are,
- * also where the host uses the same buffers for input and output; at a mix of 0 what comes in goes out. What it does with
- * silence and bad samples is the same as in CLAP: test_clap_effect.
+ * The LV2 plugin Tabor Rattle: the drum alone equals `tabor render --input` to the bit, whatever
+ * the sizes of the runs are, also where the host uses the same buffers for input and output; at a
+ * mix of 0 what comes in goes out. What it does with silence and bad samples is the same as in
+ * CLAP: test_clap_effect.
  *
  * test_lv2_effect PROGRAM PLUGINS
  */

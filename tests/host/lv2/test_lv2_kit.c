@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The LV2 plugin Tabor Kit plays a MIDI file as `tabor render --kit` does, to the bit, its mix and each drum, whatever the
- * sizes of the runs are; its knobs do what they say, and are all that a session needs.
+ * The LV2 plugin Tabor Kit plays a MIDI file as `tabor render --kit` does, to the bit, its mix and
+ * each drum, whatever the sizes of the runs are; its knobs do what they say, and are all that a
+ * session needs.
  *
  * test_lv2_kit PROGRAM PLUGINS [brief | songs NUMBER]
  *
@@ -280,7 +281,8 @@ static void files_that_are_no_kits(void **state) {
 
 /* ---- sessions ------------------------------------------------------------------------------- */
 
-/* Bits that the session has: every knob's port. The one instance has got there by ways, and begins anew. */
+/* Bits that the session has: every knob's port. The one instance has got there by ways, and begins
+ * anew. */
 static void ports_are_all_that_a_session_needs(void **state) {
   (void)state;
   PluginHost *const fresh = open_kit(2), *const used = open_kit(0);

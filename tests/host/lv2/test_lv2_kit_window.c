@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of the LV2 plugin Tabor Kit: a click strikes the drum that stands there, controls and kits are ports of the
- * host, undo, and that nothing stays of a window that is closed. What is drawn is the same as in the CLAP plugin:
- * test_clap_kit_window.
+ * The window of the LV2 plugin Tabor Kit: a click strikes the drum that stands there, controls and
+ * kits are ports of the host, undo, and that nothing stays of a window that is closed. What is
+ * drawn is the same as in the CLAP plugin: test_clap_kit_window.
  *
- * test_lv2_kit_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
+ * test_lv2_kit_window; OPENINGS in the environment is how often a window is opened, PICTURES a
+ * folder for pictures of it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "lv2_window.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The plugins' models: built beside the audio thread, shared by instances with equal definitions, and swapped
- * without a click.
+ * The plugins' models: built beside the audio thread, shared by instances with equal definitions,
+ * and swapped without a click.
  */
 #include "plugin_host.h"
 
@@ -170,7 +170,8 @@ static double tension_for(const char *key, const char *pitch, bool resonant) {
 /* Drums with the same tensions share a model. */
 static bool are_alike(void) { return model_cache_count() == 1; }
 
-/* A pitch counts whatever the tension says, until it is 0 again; one out of reach is the nearest. */
+/* A pitch counts whatever the tension says, until it is 0 again; one out of reach is the nearest.
+ */
 static void test_a_pitch_takes_the_place_of_the_tension(void **state) {
   (void)state;
   PluginHost *const one = open_at_draft(URI_DRUM, HOST_WORKER_AT_ONCE), *const other =
@@ -300,7 +301,8 @@ static void test_a_click_would_be_seen(void **state) {
 
 /* ---- what acts on what ---------------------------------------------------------------------- */
 
-/* The snares that MIDI has thrown off stay off while the drum is retuned, and are on again with another preset. */
+/* The snares that MIDI has thrown off stay off while the drum is retuned, and are on again with
+ * another preset. */
 static void test_what_midi_has_moved_outlives_a_retuning(void **state) {
   (void)state;
   enum { LONG = 8000 };

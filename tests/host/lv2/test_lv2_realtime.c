@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Random playing of the plugins, with knobs, program changes and states that another thread restores: runs
- * allocate nothing, lock nothing, sleep nowhere and touch no file, and leave the processor's floating-point
- * mode as the host has set it.
+ * Random playing of the plugins, with knobs, program changes and states that another thread
+ * restores: runs allocate nothing, lock nothing, sleep nowhere and touch no file, and leave the
+ * processor's floating-point mode as the host has set it.
  *
  * test_lv2_realtime [SECONDS of sound]
  */

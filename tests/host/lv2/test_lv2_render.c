@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The plugins play a MIDI file as `tabor render --midi-file` does, to the bit, whatever the sizes of the runs
- * are.
+ * The plugins play a MIDI file as `tabor render --midi-file` does, to the bit, whatever the sizes
+ * of the runs are.
  *
  * test_lv2_render PROGRAM PLUGINS [brief | songs NUMBER]
  */
@@ -190,7 +190,8 @@ static const uint32_t change_frame = CHANGED * 48000 / 2 / DIVISION;
 /* Of two numbers of single precision, 2^-24 each: after the fade and not before it. */
 static const double ROUNDING = 1.2e-7;
 
-/* The old drum at its own microphones, under the fade and nothing else; the new one is not struck. */
+/* The old drum at its own microphones, under the fade and nothing else; the new one is not struck.
+ */
 static void test_the_old_drum_rings_out(void **state) {
   (void)state;
   Take ringing, changed;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What a careless host may do: malformed MIDI and atoms, knobs that are no numbers, runs of no frames, ports
- * that are not connected. The sound stays finite, and afterwards the instance is as good as new.
+ * What a careless host may do: malformed MIDI and atoms, knobs that are no numbers, runs of no
+ * frames, ports that are not connected. The sound stays finite, and afterwards the instance is as
+ * good as new.
  *
  * test_lv2_robust PLUGINS
  */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The message by which a host sets a file: what it says, and that nothing beyond its end is read, whatever it says. */
+/* The message by which a host sets a file: what it says, and that nothing beyond its end is read,
+ * whatever it says. */
 #include "lv2/set_path.h"
 
 #include <lv2/patch/patch.h>

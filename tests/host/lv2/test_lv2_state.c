@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * What the plugins save and restore: an instance is found as it was left; a state that is wrong changes
- * nothing.
+ * What the plugins save and restore: an instance is found as it was left; a state that is wrong
+ * changes nothing.
  *
  * test_lv2_state PLUGINS
  */
@@ -150,8 +150,8 @@ static void test_live_knobs_are_found_as_they_were_left(void **state) {
   host_close(copy);
 }
 
-/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. Some hosts bring a port into its range,
- * which begins at 20 Hz. */
+/* Where pitches began at 0, sessions saved it in ports and states: the tension leads. Some hosts
+ * bring a port into its range, which begins at 20 Hz. */
 static void test_old_sessions_have_no_pitch(void **state) {
   (void)state;
   static const float none = 0;
@@ -236,7 +236,8 @@ static void test_the_port_chooses_a_drum_as_midi_does(void **state) {
   host_close(chosen);
 }
 
-/* One that was chosen by its port and turned since. Hosts set ports before the state, after it, or still later. */
+/* One that was chosen by its port and turned since. Hosts set ports before the state, after it, or
+ * still later. */
 static void test_a_restored_drum_stays_when_its_port_is_set(void **state) {
   (void)state;
   PluginHost *const host = open_drum();

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Two instances play in two threads with workers of their own, while a third saves and restores them: for
- * ThreadSanitizer (test_plugin_races.sh), and what they play is what one by itself plays.
+ * Two instances play in two threads with workers of their own, while a third saves and restores
+ * them: for ThreadSanitizer (test_plugin_races.sh), and what they play is what one by itself plays.
  *
  * test_lv2_threads [RUNS]
  */

@@ -1,10 +1,12 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of the LV2 plugins on an X server of its own: what is clicked is struck, controls are ports of the host, presets,
- * undo and comparison, that runs wait for nothing while it is open, and that nothing stays of a window that is closed. What
- * is drawn is the same as in the CLAP plugins: test_clap_window.
+ * The window of the LV2 plugins on an X server of its own: what is clicked is struck, controls are
+ * ports of the host, presets, undo and comparison, that runs wait for nothing while it is open, and
+ * that nothing stays of a window that is closed. What is drawn is the same as in the CLAP plugins:
+ * test_clap_window.
  *
- * test_lv2_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder for pictures of it.
+ * test_lv2_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder
+ * for pictures of it.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "lv2_window.h"

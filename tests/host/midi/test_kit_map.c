@@ -38,7 +38,8 @@ static void without_a_map_notes_stand_for_themselves(void **state) {
   }
 }
 
-/* A second row of a note would hide the first; and all rows stand for notes of General MIDI's percussion. */
+/* A second row of a note would hide the first; and all rows stand for notes of General MIDI's
+ * percussion. */
 static void a_note_has_one_row(void **state) {
   (void)state;
   for (size_t m = 0; m < kit_map_count; m++) {

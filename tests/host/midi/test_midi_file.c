@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of Standard MIDI Files (host/midi/midi_file_input.h): times by hand, everything that is refused, and
- * damaged files, which end in a message and never in a wrong access (under the sanitizers). */
+/* The reader of Standard MIDI Files (host/midi/midi_file_input.h): times by hand, everything that
+ * is refused, and damaged files, which end in a message and never in a wrong access (under the
+ * sanitizers). */
 #include "midi/midi_file_input.h"
 
 #include <math.h>

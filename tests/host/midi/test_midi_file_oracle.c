@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The reader of Standard MIDI Files against another one, libsmf: messages and times of random files. */
+/* The reader of Standard MIDI Files against another one, libsmf: messages and times of random
+ * files. */
 #include "midi/midi_file_input.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Live MIDI (host/midi/midi_input.h, midi_clock.h) with inputs that the test plugs in and plays on, in the
- * place of RtMidi's. */
+/* Live MIDI (host/midi/midi_input.h, midi_clock.h) with inputs that the test plugs in and plays on,
+ * in the place of RtMidi's. */
 #include "midi/midi_input.h"
 
 #include <math.h>

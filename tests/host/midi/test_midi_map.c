@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h, midi_to_events.h. */
+/* What MIDI bytes do to a drum: host/midi/midi_stream.h, midi_map.h, midi_speed.h,
+ * midi_to_events.h. */
 #include "midi/midi_to_events.h"
 
 #include <math.h>
@@ -150,7 +151,8 @@ static void test_notes(void **state) {
   assert_int_equal(drum.counts.strokes, 11);
 }
 
-/* Values of the equation in midi_speed.h, at velocities where x, or its power, is a simple fraction. */
+/* Values of the equation in midi_speed.h, at velocities where x, or its power, is a simple
+ * fraction. */
 static void test_speeds(void **state) {
   (void)state;
   static const struct {

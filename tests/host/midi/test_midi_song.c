@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A MIDI file as actions of a drum (host/midi/midi_song.h): their frames, and what acts first at one frame. */
+/* A MIDI file as actions of a drum (host/midi/midi_song.h): their frames, and what acts first at
+ * one frame. */
 #include "midi/midi_song_input.h"
 
 #include <setjmp.h>
@@ -68,7 +69,8 @@ static void a_song_is_composed_again_for_another_rate(void **state) {
   assert_int_equal(song.counts.strokes, 2);
 }
 
-/* The last program change at a frame wins, and acts before all else there; one to the current preset does nothing. */
+/* The last program change at a frame wins, and acts before all else there; one to the current
+ * preset does nothing. */
 static void the_last_program_at_a_frame_acts_first(void **state) {
   (void)state;
   const MidiFileEvent events[] = {

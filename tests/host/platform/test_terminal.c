@@ -242,7 +242,8 @@ static void control_keys_are_signals(void **state) {
   assert_restored(&stage);
 }
 
-/* A session leader's group is orphaned, and such are not stopped by the terminal: there has to be a shell. */
+/* A session leader's group is orphaned, and such are not stopped by the terminal: there has to be a
+ * shell. */
 static Scene *scene_of_job;
 static int run_as_job(void) {
   (void)signal(SIGTTOU, SIG_IGN);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* Sticks by name: their numbers follow from sizes and materials, and what is no stick stays as it is. */
+/* Sticks by name: their numbers follow from sizes and materials, and what is no stick stays as it
+ * is. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What a kit's sound costs is counted in processor time, whatever else the machine does meanwhile: here the clocks of the
- * system are the test's own. */
+/* What a kit's sound costs is counted in processor time, whatever else the machine does meanwhile:
+ * here the clocks of the system are the test's own. */
 #include "render/offline_player.h" /* before cmocka, whose fail() is a macro */
 
 #include <setjmp.h>

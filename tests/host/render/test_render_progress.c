@@ -11,7 +11,8 @@
 
 #define RATE 48000.0
 
-/* A sound of which so many seconds have been played; a length of 0: until the drum has died away. */
+/* A sound of which so many seconds have been played; a length of 0: until the drum has died away.
+ */
 static RenderJob sound(double played, double last_stroke, double length) {
   return (RenderJob){.rate = RATE,
                      .last_stroke = last_stroke,

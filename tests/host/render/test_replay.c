@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * Random playing is logged while another thread changes the drum, and then replayed: both sounds are the same, to the
- * bit. The device's blocks are random, too, and sometimes more messages come at once than a block takes.
+ * Random playing is logged while another thread changes the drum, and then replayed: both sounds
+ * are the same, to the bit. The device's blocks are random, too, and sometimes more messages come
+ * at once than a block takes.
  *
  * test_replay [SECONDS of sound]
  */
@@ -104,7 +105,8 @@ static void send_crowd(Stage *stage, uint64_t *random) {
   }
 }
 
-/* Other presets, tensions that let it ring on, another size, and damping beyond what the model is made for. */
+/* Other presets, tensions that let it ring on, another size, and damping beyond what the model is
+ * made for. */
 static void change_random(Stage *stage, uint64_t *random) {
   static const char *const keys[] = {"batter.tension", "shell.radius", "wires.tension",
                                      "batter.damping_0"};
@@ -196,7 +198,8 @@ static void compare(const Stage *stage, OfflinePlayer *player) {
   }
 }
 
-/* A long performance has something of everything; what a short one has depends on when its models are built. */
+/* A long performance has something of everything; what a short one has depends on when its models
+ * are built. */
 static void check_variety(const Replay *replay, const PlayStatus *status) {
   unsigned events[TABOR_EVENT_REPLACE + 1] = {0}, gains = 0;
   for (size_t i = 0; i < replay->count; i++) {

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A drum that is played by messages, with a room behind it: what acts when, whatever the blocks are. */
+/* A drum that is played by messages, with a room behind it: what acts when, whatever the blocks
+ * are. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -174,8 +175,8 @@ static void silences_at_each_frame_of_a_block(void **state) {
   }
 }
 
-/* What sounds in the room fades, too, but for its answer to the drum while that fades. A hall that went on ringing behind a
- * silenced drum would leave twice the limit. */
+/* What sounds in the room fades, too, but for its answer to the drum while that fades. A hall that
+ * went on ringing behind a silenced drum would leave twice the limit. */
 static void a_silence_ends_what_rings_in_the_room(void **state) {
   (void)state;
   enum { AT = 1500, UNTIL = 3000 };
@@ -214,8 +215,8 @@ static void a_room_answers(void **state) {
   close_stage(still);
 }
 
-/* The room before fades beside the new one, hears nothing any more, and is left then. Later on it is as if the new
- * room had been the first one. */
+/* The room before fades beside the new one, hears nothing any more, and is left then. Later on it
+ * is as if the new room had been the first one. */
 static void a_room_follows_another(void **state) {
   (void)state;
   enum { AT = 1000, UNTIL = 3000 };
@@ -297,7 +298,8 @@ static void messages_act_at_their_frames(void **state) {
   }
 }
 
-/* Of more than fit into a frame the others act a frame later; of more than fit into a block none is lost, or late. */
+/* Of more than fit into a frame the others act a frame later; of more than fit into a block none is
+ * lost, or late. */
 static void crowds_act_in_order(void **state) {
   (void)state;
   enum { MORE = 44, AT = 70, SPREAD = 300, FROM = 130 };
@@ -334,7 +336,8 @@ static void a_stroke_behind_a_crowd_keeps_its_frame(void **state) {
 
 /* ---- gain, strikers, outputs ---------------------------------------------------------------- */
 
-/* The factors multiply; a rest forgets the expression, keeps the gain, and loses what has been taken but not played. */
+/* The factors multiply; a rest forgets the expression, keeps the gain, and loses what has been
+ * taken but not played. */
 static void gain_and_expression_multiply(void **state) {
   (void)state;
   Stage *const stage = open_stage(TABOR_ROOM_NONE), *const plain = open_stage(TABOR_ROOM_NONE);
@@ -507,7 +510,8 @@ static TaborKit *kit_of_two(void) {
   return kit;
 }
 
-/* Strokes on both drums and on a note with the sound `sample`, if that is not NULL, a choke, and a gain in the midst of them. */
+/* Strokes on both drums and on a note with the sound `sample`, if that is not NULL, a choke, and a
+ * gain in the midst of them. */
 static Stage *play_kit(const float *sample, double gain, uint32_t block) {
   Stage *const stage = calloc(1, sizeof *stage);
   assert_non_null(stage);

@@ -35,8 +35,9 @@ static void a_steady_device_gives_exact_frames(void **state) {
   }
 }
 
-/* Callbacks up to half a block late, a device 100 parts in a million too fast: an event's frame stays
-   within a tenth of a millisecond of a constant delay, where block starts alone would give 1.3 ms. */
+/* Callbacks up to half a block late, a device 100 parts in a million too fast: an event's frame
+   stays within a tenth of a millisecond of a constant delay, where block starts alone would
+   give 1.3 ms. */
 static void jitter_and_drift_are_smoothed(void **state) {
   (void)state;
   const double true_rate = RATE * 1.0001;

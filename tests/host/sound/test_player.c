@@ -72,8 +72,8 @@ static void sound_does_not_depend_on_blocks(void **state) {
   stage_close(expected);
 }
 
-/* Three times as many events as a block takes, most of them at odd frames close together, and 300 at one frame, of
-   which the last 44 and the stroke act a frame later. */
+/* Three times as many events as a block takes, most of them at odd frames close together, and 300
+   at one frame, of which the last 44 and the stroke act a frame later. */
 static Stage *perform_crowd(uint32_t size) {
   enum { CROWD = 800, EACH = 37, AT_ONCE = 300, UNTIL = 4096 };
   static Messages messages;
@@ -273,8 +273,8 @@ static void silence_is_silent_and_keeps_the_drum(void **state) {
   stage_close(stage);
 }
 
-/* A heavy change of the drum leaves what moved where it is, and so does a silence after it; another preset begins
- * anew. */
+/* A heavy change of the drum leaves what moved where it is, and so does a silence after it; another
+ * preset begins anew. */
 static void silence_after_a_change_keeps_what_moved(void **state) {
   (void)state;
   Messages messages = {0};
@@ -375,7 +375,8 @@ static const char *write_drum(const TaborDrumDef *def, char text[DRUM_TEXT]) {
   return text;
 }
 
-/* Whatever a change has replaced comes back: a pitch replaces a tension, a wire's own value none. */
+/* Whatever a change has replaced comes back: a pitch replaces a tension, a wire's own value none.
+ */
 static void changes_are_undone_and_redone(void **state) {
   (void)state;
   static const struct {
@@ -442,7 +443,8 @@ static void what_is_undone_is_heard(void **state) {
   stage_close(stage);
 }
 
-/* A change is built by another thread while the drum is played; what moved meanwhile is not lost. */
+/* A change is built by another thread while the drum is played; what moved meanwhile is not lost.
+ */
 static void changes_come_while_it_rings(void **state) {
   (void)state;
   PlayStatus status = {0};
@@ -472,8 +474,8 @@ static void changes_come_while_it_rings(void **state) {
   stage_close(stage);
 }
 
-/* One preset after another, each wished for before the last is there: what the next is to begin with does not
- * move the one that comes, and nobody hears a drum that nobody struck. */
+/* One preset after another, each wished for before the last is there: what the next is to begin
+ * with does not move the one that comes, and nobody hears a drum that nobody struck. */
 static void presets_passed_over_are_silent(void **state) {
   (void)state;
   PlayStatus status = {0};
@@ -506,7 +508,8 @@ static void presets_passed_over_are_silent(void **state) {
   stage_close(stage);
 }
 
-/* To what is there already it does nothing; to the same preset with something set, it begins anew. */
+/* To what is there already it does nothing; to the same preset with something set, it begins anew.
+ */
 static void a_program_change_once_more_does_nothing(void **state) {
   (void)state;
   TaborDrumDef def;

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * A minute of random playing, while the drum is changed by another thread: what the audio thread runs
- * allocates nothing, locks nothing, sleeps nowhere and touches no file, inside player_process().
+ * A minute of random playing, while the drum is changed by another thread: what the audio thread
+ * runs allocates nothing, locks nothing, sleeps nowhere and touches no file, inside
+ * player_process().
  *
  * test_player_realtime [SECONDS of sound]
  */

@@ -110,7 +110,8 @@ static void meters_are_the_drums(void **state) {
   close_stage(stage);
 }
 
-/* The last event that acted or was passed on, with the frame at which it did: its own, or the next one. */
+/* The last event that acted or was passed on, with the frame at which it did: its own, or the next
+ * one. */
 static void the_last_event_is_told(void **state) {
   (void)state;
   Stage *const stage = open_stage((PlayerSetup){.width = 1});
@@ -156,7 +157,8 @@ static void late_ones_are_counted(void **state) {
   tabor_swap_destroy(swap);
 }
 
-/* Parts of the time that a block has: each block counts once, the worst since the last look, and of all. */
+/* Parts of the time that a block has: each block counts once, the worst since the last look, and of
+ * all. */
 static void loads_are_measured(void **state) {
   (void)state;
   Stage *const stage = open_stage((PlayerSetup){.width = 1});
@@ -180,8 +182,8 @@ static void loads_are_measured(void **state) {
   close_stage(stage);
 }
 
-/* The time that the block took, over the time that it plays. Somebody else may have had the processor between the two
- * clocks: then it is tried again. */
+/* The time that the block took, over the time that it plays. Somebody else may have had the
+ * processor between the two clocks: then it is tried again. */
 static void a_load_is_a_part_of_real_time(void **state) {
   (void)state;
   Stage *const stage = open_stage((PlayerSetup){.width = 1});
@@ -202,7 +204,8 @@ static void a_load_is_a_part_of_real_time(void **state) {
 
 /* ---- devices -------------------------------------------------------------------------------- */
 
-/* One channel feeds all of the device's; of several each has its own, and what is left is silent. */
+/* One channel feeds all of the device's; of several each has its own, and what is left is silent.
+ */
 static void channels_go_to_the_device(void **state) {
   (void)state;
   Stage *const mono = open_stage((PlayerSetup){.width = 3, .channels = 1, .mics = {1}}),
@@ -401,7 +404,8 @@ static void a_number_of_frames_ends(void **state) {
   }
 }
 
-/* It dies away at the same frame for blocks of any size, not before half a second after the last stroke. */
+/* It dies away at the same frame for blocks of any size, not before half a second after the last
+ * stroke. */
 static void an_end_does_not_depend_on_blocks(void **state) {
   (void)state;
   static const uint32_t blocks[] = {64, 250, 256, 1000};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* The room behind a drum player's outputs: silences fade it, what is played after them sounds in full, and blocks
- * change no bit. */
+/* The room behind a drum player's outputs: silences fade it, what is played after them sounds in
+ * full, and blocks change no bit. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>

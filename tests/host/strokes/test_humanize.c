@@ -15,8 +15,8 @@
 #define HEAD 0.1778 /* [m] */
 #define PI 3.14159265358979323846
 
-/* Standard errors that a mean of STROKES draws may be off: one run in 15,000 for a random seed, and these
-   seeds are fixed. */
+/* Standard errors that a mean of STROKES draws may be off: one run in 15,000 for a random seed, and
+   these seeds are fixed. */
 #define MEAN_ERRORS 4.0
 
 static TaborEvent stroke(double radius, double angle) {
@@ -141,7 +141,8 @@ static void seeds_decide(void **state) {
   assert_int_equal(different, 100);
 }
 
-/* The published first outputs of SplitMix64 for seed 1234567, by way of what they do to a stroke. */
+/* The published first outputs of SplitMix64 for seed 1234567, by way of what they do to a stroke.
+ */
 static void generator_is_the_published_one(void **state) {
   (void)state;
   const uint64_t published[] = {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What is drawn comes to be shown, by as few bytes as it takes; judged by a small terminal of the test's. */
+/* What is drawn comes to be shown, by as few bytes as it takes; judged by a small terminal of the
+ * test's. */
 #include "ui/canvas.h"
 
 #include <setjmp.h>

@@ -19,7 +19,8 @@ typedef struct Sequence {
   Key keys[8]; /* up to a 0 */
 } Sequence;
 
-/* xterm's, the Linux console's and rxvt's, from their documents (ctlseqs, console_codes(4), terminfo). */
+/* xterm's, the Linux console's and rxvt's, from their documents (ctlseqs, console_codes(4),
+ * terminfo). */
 static const Sequence sequences[] = {
   {"a", {'a'}},
   {"sdf", {'s', 'd', 'f'}},

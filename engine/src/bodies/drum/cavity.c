@@ -12,8 +12,9 @@ double tb_cavity_azimuth(uint32_t m) { return m ? PI : 2.0 * PI; }
 
 /* ---- z' ------------------------------------------------------------------------------------- */
 
-/* The zero of J_m' between lo and hi, where it changes its sign once: Halley's step, which cubes the error, where it
- * stays inside, else halving. `falling`: J_m' is positive at lo. Derivatives come from Bessel's equation. */
+/* The zero of J_m' between lo and hi, where it changes its sign once: Halley's step, which cubes
+ * the error, where it stays inside, else halving. `falling`: J_m' is positive at lo. Derivatives
+ * come from Bessel's equation. */
 static double extremum(uint32_t m, double lo, double hi, bool falling) {
   double z = 0.5 * (lo + hi);
   for (int i = 0; i < 60 && hi - lo > 1e-14 * hi; i++) {
@@ -248,7 +249,8 @@ static double spring_pressure(const TbCavityOrder *order, const TbCavity *cavity
          tb_cavity_mode_norm(order, cavity, 0, 0);
 }
 
-/* Pressure of a coordinate: its inertia keeps the balance, p = (omega^2/omega_c) sqrt(rho0 c0^2/N_c) u. */
+/* Pressure of a coordinate: its inertia keeps the balance, p = (omega^2/omega_c) sqrt(rho0
+ * c0^2/N_c) u. */
 static double mode_pressure(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbCavityMode *mode, double u, double omega) {
   return omega * omega / mode->omega * cavity->sound_speed *

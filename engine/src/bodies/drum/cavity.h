@@ -37,8 +37,9 @@
 #define TB_KINEMATIC_VISCOSITY 1.5e-5 /* nu of air [m2/s] */
 #define TB_PRANDTL 0.71               /* Pr of air */
 #define TB_HEAT_RATIO 1.4             /* gamma of air */
-/* Coordinates of an order at most. A tom's lowest orders have 220 below 16 kHz, a deep shell under a tense head would have
- * thousands. Where this bites, the lowest orders end first and the highest not at all, so that together they fade out. */
+/* Coordinates of an order at most. A tom's lowest orders have 220 below 16 kHz, a deep shell under
+ * a tense head would have thousands. Where this bites, the lowest orders end first and the highest
+ * not at all, so that together they fade out. */
 #define TB_CAVITY_COORDINATES 640u
 #define TB_CAVITY_OPENINGS 128u /* more than an order of a head has zeros: see head.c */
 
@@ -96,7 +97,8 @@ double tb_cavity_wall_power(const TbCavityOrder *order, const TbCavity *cavity,
                             const TbAirOrder *air, const double *heads, const double *u,
                             double omega);
 
-/* Decay rate s_c = P/(2E) [1/s] of a mode of the air by itself, with rigid ends, by that power. Not for (0,0,0). */
+/* Decay rate s_c = P/(2E) [1/s] of a mode of the air by itself, with rigid ends, by that power. Not
+ * for (0,0,0). */
 double tb_cavity_mode_decay_rate(const TbCavityOrder *order, const TbCavity *cavity, uint32_t p,
                                  uint32_t l);
 

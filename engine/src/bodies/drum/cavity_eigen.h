@@ -5,7 +5,8 @@
  * Unknowns: outward amplitudes of the Bessel functions of the upper head, those of the lower head,
  * then the cavity's coordinates u_c (cavity.h). The air outside adds its low-frequency mass to each
  * head and between them (shell_radiation.h). A rim that moves has the last coordinates (rim.h); the
- * heads' amplitudes in the vectors then include its lift. Vectors have unit modal mass. Set-up only. */
+ * heads' amplitudes in the vectors then include its lift. Vectors have unit modal mass. Set-up
+ * only. */
 #ifndef TB_CAVITY_EIGEN_H
 #define TB_CAVITY_EIGEN_H
 

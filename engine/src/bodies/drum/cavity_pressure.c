@@ -184,7 +184,8 @@ static double project(const double *s, const double *w, uint32_t n) {
   return sum;
 }
 
-/* A radial order with less than this at every microphone, of functions that are near 1, is not heard. */
+/* A radial order with less than this at every microphone, of functions that are near 1, is not
+ * heard. */
 static const double LEAST_SHAPE = 1e-10;
 
 static bool is_heard(const TbCavityMics *mics, uint32_t p) {

@@ -13,23 +13,25 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's first mode
- * in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
+/* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's
+ * first mode in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
 static const double COORDINATES = 24.0;
-/* ... and between two heads at least to this many times the highest frequency of all modes: air that rings
- * up to somewhere below would end there with an edge that is seen and heard. A kettle is a bowl, not the
- * cylinder that stands for it here, and its higher modes are not those of one. */
+/* ... and between two heads at least to this many times the highest frequency of all modes: air
+ * that rings up to somewhere below would end there with an edge that is seen and heard. A kettle is
+ * a bowl, not the cylinder that stands for it here, and its higher modes are not those of one. */
 static const double MARGIN = 1.1;
 /* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
 static const double CAVITY_BASIS = 2.0;
-/* A mode of which less than this part of the energy moves a head or the rim is not heard or felt. */
+/* A mode of which less than this part of the energy moves a head or the rim is not heard or felt.
+ */
 static const double LEAST_MOVED = 1e-4;
 /* One head's mode: the other has less than this part of the heads' energy. */
 static const double ONE_HEAD = 0.1;
 
 /* From this part of the shell's largest x on, its loads pass into those of air.h. */
 static const double BLEND_FROM = 0.9;
-/* A mode's frequency and the load at it agree when a pass changes the frequency by less than this. */
+/* A mode's frequency and the load at it agree when a pass changes the frequency by less than this.
+ */
 static const double SETTLED = 2e-3;
 /* Another mode that comes in with less than this of the mass changes nothing that matters. */
 static const double LEAST_MIXED = 1e-6;
@@ -46,15 +48,17 @@ typedef struct Enclosed {
   const double *rings[TB_HEADS]; /* loss of felt rings: see felt_ring.h */
 } Enclosed;
 
-/* Speed of sound along a shell's wall [m/s], sqrt(E/rho): 8.5 GPa and 700 kg/m3 of plywood. Metal has 5000. */
+/* Speed of sound along a shell's wall [m/s], sqrt(E/rho): 8.5 GPa and 700 kg/m3 of plywood. Metal
+ * has 5000. */
 static const double WALL_SPEED = 3500.0;
 
-/* Specific admittance beta_m (cavity.h) of the shell's wall, of surface density mu, to the enclosed air. A limp
- * wall has the impedance i omega mu, and behind it rho0 c0 of the air outside; the admittance is the real part
- * of the inverse, rho0 c0 in units of it: beta_m = 1/(1 + (omega mu/(rho0 c0))^2), the mass law [Kinsler]. 6 mm of
- * plywood, 4.2 kg/m2, has 3.9e-3 at 250 Hz and 2.4e-4 at 1 kHz. (A panel that absorbs 0.05 of the sound in a
- * room has 6.3e-3.) A pressure that is the same all round, m = 0, stretches the wall, which withstands it like a
- * hoop: below the ring frequency omega_r = WALL_SPEED/R the impedance is (omega_r/omega)^2 - 1 times as large. A
+/* Specific admittance beta_m (cavity.h) of the shell's wall, of surface density mu, to the enclosed
+ * air. A limp wall has the impedance i omega mu, and behind it rho0 c0 of the air outside; the
+ * admittance is the real part of the inverse, rho0 c0 in units of it: beta_m = 1/(1 + (omega
+ * mu/(rho0 c0))^2), the mass law [Kinsler]. 6 mm of plywood, 4.2 kg/m2, has 3.9e-3 at 250 Hz
+ * and 2.4e-4 at 1 kHz. (A panel that absorbs 0.05 of the sound in a room has 6.3e-3.) A pressure
+ * that is the same all round, m = 0, stretches the wall, which withstands it like a hoop: below the
+ * ring frequency omega_r = WALL_SPEED/R the impedance is (omega_r/omega)^2 - 1 times as large. A
  * kettle, which is curved both ways, is rigid here. */
 static double wall_admittance(const TaborDrumDef *def, uint32_t m, double omega) {
   if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
@@ -65,11 +69,12 @@ static double wall_admittance(const TaborDrumDef *def, uint32_t m, double omega)
   return 1.0 / (1.0 + ratio * ratio);
 }
 
-/* A lining's absorption has fallen to a half here [rad/s]: a porous layer absorbs little while it is thinner than a
- * quarter of a wavelength, 10 cm at 860 Hz [Kuttruff ch. 2]. */
+/* A lining's absorption has fallen to a half here [rad/s]: a porous layer absorbs little while it
+ * is thinner than a quarter of a wavelength, 10 cm at 860 Hz [Kuttruff ch. 2]. */
 static const double LINING_CORNER = 2513.0; /* 400 Hz */
 
-/* Specific admittance of a lining that absorbs the part alpha of sound from all directions, alpha = 8 beta_m. */
+/* Specific admittance of a lining that absorbs the part alpha of sound from all directions, alpha =
+ * 8 beta_m. */
 static double lining_admittance(const TaborDrumDef *def, double omega) {
   if (!tb_is_two_headed(def) || def->air.density == 0.0) return 0.0;
   const double ratio = LINING_CORNER / omega;
@@ -117,7 +122,8 @@ static double highest_coordinate(const TbCavityEigen *drum, double limit) {
 
 /* ---- how many modes there are ---------------------------------------------------------------- */
 
-/* Of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie below the zero z. */
+/* Of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie below the zero
+ * z. */
 static double head_modes_below(const TbCavityEigen *drum, const TaborHeadDef *head, double omega) {
   double lo = 0.0, hi = 1000.0;
   for (int i = 0; i < 50; i++) {
@@ -168,7 +174,8 @@ double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth) {
   return modes_below(&drum, 2.0 * PI * bandwidth);
 }
 
-/* About so many zeros of J_m or J_m' lie below z [DLMF, 10.20]: its phase in the WKB approximation, over pi. */
+/* About so many zeros of J_m or J_m' lie below z [DLMF, 10.20]: its phase in the WKB approximation,
+ * over pi. */
 static double zeros_below(double m, double z) {
   if (!(z > m)) return 0.0;
   const double side = sqrt(z * z - m * m);
@@ -202,8 +209,8 @@ double tb_closed_drum_air_modes(const TaborDrumDef *def, double omega) {
 
 /* ---- one mode -------------------------------------------------------------------------------- */
 
-/* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C v, and
- * the rim's motion. */
+/* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C
+ * v, and the rim's motion. */
 typedef struct Parts {
   double head_mass[TB_HEADS], cavity_mass, rim_mass;
   double head_loss;
@@ -254,7 +261,8 @@ static uint32_t part_name(const Parts *parts) {
   return TABOR_PART_BOTH;
 }
 
-/* ---- the air outside --------------------------------------------------------------------------- */
+/* ---- the air outside ---------------------------------------------------------------------------
+ */
 
 /* Places of the microphones outside, whose indices go to `mics`. Returns their number. */
 static uint32_t mic_points(const TaborDrumDef *def, uint32_t *mics, TbAirPoint *points) {
@@ -372,9 +380,9 @@ typedef struct Refined {
   double *v;
 } Refined;
 
-/* Adds what the inertia D = `unit` * inertia mixes into mode k of the other modes j, to first order:
- * omega^2 v_j.D/(lambda_j - omega^2), less from neighbours that are nearer than the coupling is wide.
- * Returns true if that is enough to matter. */
+/* Adds what the inertia D = `unit` * inertia mixes into mode k of the other modes j, to first
+ * order: omega^2 v_j.D/(lambda_j - omega^2), less from neighbours that are nearer than the coupling
+ * is wide. Returns true if that is enough to matter. */
 static bool mix(const Spectrum *spectrum, uint32_t k, double omega, double unit,
                 const double *inertia, uint32_t heads, Refined *refined) {
   const uint32_t size = spectrum->size;
@@ -412,8 +420,8 @@ static void set_radiation(const Enclosed *e, const Outside *outside, double mass
   }
 }
 
-/* One pass: the load at the mode's frequency, and the frequency that follows. The first pass mixes in
- * other modes. The last one sets radiation and sound, and scales v to unit mass. */
+/* One pass: the load at the mode's frequency, and the frequency that follows. The first pass mixes
+ * in other modes. The last one sets radiation and sound, and scales v to unit mass. */
 static bool refine(const Enclosed *e, TbArena *scratch, const Spectrum *spectrum, uint32_t k,
                    int pass, Refined *refined, TbBodyMode *mode, bool *settled) {
   const uint32_t heads = e->drum.cavity.heads * e->air->count;
@@ -452,7 +460,8 @@ static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum,
   return done;
 }
 
-/* ---- all modes of an order --------------------------------------------------------------------- */
+/* ---- all modes of an order ---------------------------------------------------------------------
+ */
 
 /* Losses of a mode whose radiation is known. */
 static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *cavity,
@@ -500,8 +509,8 @@ static void keep_vectors(const Enclosed *e, const Parts *parts, const double *v,
   order->hoop[order->mode_count] = parts->rim.hoop;
 }
 
-/* Modes that lose less to the air than this part of what the loudest of their order does are not heard beside it: they book
- * their own resistance. */
+/* Modes that lose less to the air than this part of what the loudest of their order does are not
+ * heard beside it: they book their own resistance. */
 static const double LEAST_FAR = 1e-3;
 
 static void drop_faint_fields(TbBodyMode *modes, uint32_t count) {
@@ -540,8 +549,8 @@ static TaborStatus keep_modes(const Enclosed *e, TbArena *arena, const double *e
   return TABOR_OK;
 }
 
-/* The mass of the air outside: of the shell, or for an order that it does not have half of an open head's,
- * a value between a head without a baffle and a head in a baffle. */
+/* The mass of the air outside: of the shell, or for an order that it does not have half of an open
+ * head's, a value between a head without a baffle and a head in a baffle. */
 static bool prepare_outside(Enclosed *e, TbArena *scratch, const TbShellMesh *shell) {
   const uint32_t count = e->air->count;
   if (!shell) return true;

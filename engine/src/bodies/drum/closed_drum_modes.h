@@ -34,8 +34,8 @@ double tb_closed_drum_bandwidth(const TaborDrumDef *def, double bandwidth, uint3
 /* How many modes, sine copies counted, they have below `bandwidth` [Hz], by the same formulas. */
 double tb_closed_drum_mode_count(const TaborDrumDef *def, double bandwidth);
 
-/* About how many coordinates an order m of the drum has that is computed from Bessel functions with zeros up to
- * `basis_top` and up to `limit` [rad/s]: those of the heads and of the enclosed air. */
+/* About how many coordinates an order m of the drum has that is computed from Bessel functions with
+ * zeros up to `basis_top` and up to `limit` [rad/s]: those of the heads and of the enclosed air. */
 double tb_closed_drum_order_size(const TaborDrumDef *def, double m, double basis_top, double limit);
 
 /* Frequency [rad/s], at most `limit`, up to which the air's modes are those of the cylinder. */

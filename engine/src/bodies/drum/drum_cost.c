@@ -43,8 +43,8 @@ static double tuning_seconds(const TaborDrumDef *def, TaborHead which, const Tab
   return 0.004 + 7.0 * eigen_seconds((Sizes){size * size, size * size * size});
 }
 
-/* Eigenproblems; then what each mode meets of the air: outside a shell a boundary integral, at an open head sums over
- * its Bessel functions. */
+/* Eigenproblems; then what each mode meets of the air: outside a shell a boundary integral, at an
+ * open head sums over its Bessel functions. */
 static double head_seconds(const TaborDrumDef *def, Sizes s, double modes) {
   const double eigen = 0.001 + eigen_seconds(s);
   if (def->air.density == 0.0) return 0.6 * eigen; /* nothing couples the air's coordinates */

@@ -27,8 +27,8 @@
 
 extern const TbBodyKind tb_body_drum;
 
-/* The basis of a drum, see TbBodyKind: of both heads the slower needs more functions, and with the air between
- * them there must be room for all modes. */
+/* The basis of a drum, see TbBodyKind: of both heads the slower needs more functions, and with the
+ * air between them there must be room for all modes. */
 double tb_drum_basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits,
                      double *reached);
 

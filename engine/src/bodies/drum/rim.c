@@ -10,7 +10,8 @@ static double azimuth_of(uint32_t n) { return n ? PI : 2.0 * PI; }
 
 static double square(double x) { return x * x; }
 
-/* ---- hoop and edge ---------------------------------------------------------------------------- */
+/* ---- hoop and edge ----------------------------------------------------------------------------
+ */
 
 static void prepare_hoop(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   const TaborHoopDef *hoop = &def->hoop;
@@ -73,14 +74,16 @@ void tb_rim_prepare(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   rim->head_mass[1] = def->two_headed ? area * def->resonant.surface_density : 0.0;
 }
 
-/* ---- matrices --------------------------------------------------------------------------------- */
+/* ---- matrices ---------------------------------------------------------------------------------
+ */
 
 double tb_rim_lift(const TbAirOrder *air, uint32_t h, uint32_t i) {
   const double lift = 2.0 / (air->zeros[i] * air->slopes[i]);
   return h ? -lift : lift;
 }
 
-/* Row, column and diagonal of u in a matrix that acts on y: P^T matrix P, P's last column being the lift. */
+/* Row, column and diagonal of u in a matrix that acts on y: P^T matrix P, P's last column being the
+ * lift. */
 static void lift_matrix(const TbAirOrder *air, uint32_t heads, uint32_t size, uint32_t edge,
                         double *matrix) {
   double *row = matrix + (size_t)edge * size;
@@ -154,7 +157,8 @@ void tb_rim_add_lift(const TbRim *rim, const TbAirOrder *air, uint32_t heads, ui
   }
 }
 
-/* ---- one mode --------------------------------------------------------------------------------- */
+/* ---- one mode ---------------------------------------------------------------------------------
+ */
 
 TbRimMotion tb_rim_motion(const TbRim *rim, const double *coordinates) {
   const double edge = rim->edge ? coordinates[rim->count - 1u] : 0.0;

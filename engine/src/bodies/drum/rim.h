@@ -10,8 +10,8 @@
  * so the heads' mass and all air act on y_i = v_i + s c_i u, and to the mass of u comes what the
  * truncated series misses, rho a_n R^2 (1/(2n + 2) - Sum_i 2/z_i^2).
  *
- * Hoop: mass m a_n/(2 pi), m the hoop's, and as a ring of the bending stiffness EI and the torsional stiffness g EI,
- * whose section turns as it costs least (rim_radiation.h), the stiffness
+ * Hoop: mass m a_n/(2 pi), m the hoop's, and as a ring of the bending stiffness EI and the
+ * torsional stiffness g EI, whose section turns as it costs least (rim_radiation.h), the stiffness
  *   (EI/R^3) a_n n^2 (n^2-1)^2 g/(1 + g n^2),
  * g = 1: [Rayleigh1877].
  * Rods, lugs and the head's collar tie it to the edge with the stiffness (mass of the hoop)
@@ -54,8 +54,8 @@ typedef struct TbRim {
   double head_mass[2];                                     /* rho a_n R^2 of each head [kg] */
 } TbRim;
 
-/* Modes are kept up to `heads` [rad/s], and up to `rim`, which is no lower, if the rim has over half of
- * their kinetic energy. */
+/* Modes are kept up to `heads` [rad/s], and up to `rim`, which is no lower, if the rim has over
+ * half of their kinetic energy. */
 typedef struct TbModeLimits {
   double heads, rim;
 } TbModeLimits;

@@ -10,14 +10,16 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* ---- the wall --------------------------------------------------------------------------------- */
+/* ---- the wall ---------------------------------------------------------------------------------
+ */
 
-/* Most points around half the wall: at 10 kHz and half a metre from the axis still five a wavelength. */
+/* Most points around half the wall: at 10 kHz and half a metre from the axis still five a
+ * wavelength. */
 enum { AROUND = 256, PANELS = 3, LEVELS = PANELS * TB_PANEL };
 
-/* Points around half the wall. Of the sources' n waves and the k r of the path's length the sum is exact with
- * as many points; what the distance adds falls by e^-eta from one to the next,
- * cosh eta = (r^2 + R^2)/(2 r R) at the level of the microphone. */
+/* Points around half the wall. Of the sources' n waves and the k r of the path's length the sum is
+ * exact with as many points; what the distance adds falls by e^-eta from one to the next, cosh eta
+ * = (r^2 + R^2)/(2 r R) at the level of the microphone. */
 static uint32_t points_around(uint32_t n, double wavenumber, double radius, double r) {
   const double nearer = fmin(r, radius), ratio = fmax(r, radius) / fmax(nearer, 1e-6 * radius);
   const double waves = n + wavenumber * nearer, eta = tb_log(ratio);
@@ -75,7 +77,8 @@ double tb_wall_resistance(uint32_t n, double omega, const TaborAirDef *air, doub
   return omega * omega * air->density * n2 * n2 * PI * sum / (4.0 * air->sound_speed);
 }
 
-/* ---- the hoop --------------------------------------------------------------------------------- */
+/* ---- the hoop ---------------------------------------------------------------------------------
+ */
 
 /* m'/rho0 of a strip [m2]. */
 static double strip_of(double wavenumber, double width) {
@@ -130,7 +133,8 @@ double tb_hoop_lean(const TaborDrumDef *def, uint32_t n) {
   return -0.5 * def->hoop.wall / def->shell.radius * n2 * (1.0 + torsion) / (1.0 + n2 * torsion);
 }
 
-/* ---- one mode --------------------------------------------------------------------------------- */
+/* ---- one mode ---------------------------------------------------------------------------------
+ */
 
 /* Hoop or shell with less than this part of the mass is not heard beside the heads. */
 static const double LEAST_HEARD = 1e-4;

@@ -83,8 +83,8 @@ static TbOwnParts own_parts(const OrderWork *work, const TbAirOrder *air, const 
   return own;
 }
 
-/* Replaces the air's low-frequency mass in mode `v` by its mass at the mode's own frequency, scales v
- * to unit mass, and computes decay rates and fields. `omega2` comes in from the low-frequency
+/* Replaces the air's low-frequency mass in mode `v` by its mass at the mode's own frequency, scales
+ * v to unit mass, and computes decay rates and fields. `omega2` comes in from the low-frequency
  * problem. */
 static bool finish_mode(const OrderWork *work, TbArena *scratch, const TbAirOrder *air,
                         double omega2, double *v, TbBodyMode *mode) {

@@ -7,8 +7,8 @@
 
 /* tabor_drum_def_tune() for a valid definition, with the allocator and the watch of `beside`. */
 TaborStatus tb_tune(TaborDrumDef *def, const TbArena *beside, TaborError *error);
-/* The same by a formula, within some ten per cent of the tension, for estimates; a pitch that the head cannot have
- * gives the nearest tension. */
+/* The same by a formula, within some ten per cent of the tension, for estimates; a pitch that the
+ * head cannot have gives the nearest tension. */
 void tb_tune_roughly(TaborDrumDef *def);
 
 #endif

@@ -11,10 +11,11 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Zeros of the basis, with which modes' masses are right to 0.4 % (edge modes of high order; others to 0.1 %), as long as
- * TB_TOP_ZERO does not end it. */
+/* Zeros of the basis, with which modes' masses are right to 0.4 % (edge modes of high order; others
+ * to 0.1 %), as long as TB_TOP_ZERO does not end it. */
 static const double BASIS_PER_LAMBDA = 2.0, BASIS_MORE = 40.0;
-/* The highest lambda, in units of the highest zero: a bronze disc of 40 cm and 0.15 mm reaches it above 17 kHz. */
+/* The highest lambda, in units of the highest zero: a bronze disc of 40 cm and 0.15 mm reaches it
+ * above 17 kHz. */
 static const double MOST_OF_BASIS = 0.8;
 /* Modes in vacuo up to here, in units of the highest lambda, make up those in air. */
 static const double MARGIN = 1.15;
@@ -279,7 +280,8 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
                               &shared);
 }
 
-/* Modes in air take sums over their Bessel functions, as those of an open head: see bodies/drum/drum_cost.c. */
+/* Modes in air take sums over their Bessel functions, as those of an open head: see
+ * bodies/drum/drum_cost.c. */
 static TbBodyCost cost(const TaborDrumDef *def, const TaborDrumDef *resolved, double basis_top,
                        double bandwidth, uint32_t most_modes) {
   (void)def;

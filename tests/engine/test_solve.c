@@ -60,7 +60,7 @@ static TbContacts contacts(Problem *p, uint32_t cap, double tolerance) {
   return (TbContacts){.kernels = &tb_kernels_baseline,
                       .wire_grid = &p->wire_grid,
                       .compliance = &p->compliance,
-                      .stride = STRIDE,
+                      .rows = tb_rows(STRIDE),
                       .cap = cap,
                       .inner_cap = 64,
                       .tolerance = tolerance,

@@ -53,7 +53,7 @@ static bool strike_high(TbView *view) {
     TbSlot *slot = tb_slot(view, i);
     if (!tb_slot_strikes(slot) || slot->on_hoop) continue;
     const double push =
-      high_push(view, slot, view->solve.warm.force[view->model->wires.stride + i]);
+      high_push(view, slot, view->solve.warm.force[tb_slot_row(&view->model->rows, i)]);
     if (push == 0.0) continue;
     tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;

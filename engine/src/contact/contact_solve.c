@@ -25,7 +25,8 @@ static bool is_noise(double residual, TbStart size) {
 }
 
 static bool wires_touch(const TbSolve *solve, const double *s) {
-  return solve->in.kernels->touches(solve->in.stride, solve->in.y, s, solve->warm.force);
+  return solve->in.kernels->touches(tb_wire_rows(&solve->in.rows), solve->in.y, s,
+                                    solve->warm.force);
 }
 
 static bool near(const TbSolve *solve) { return wires_touch(solve, solve->in.b); }
@@ -57,8 +58,8 @@ static void take_grid(TbSolve *solve) {
 static void give_grid(TbSolve *solve) { (void)solve; } /* it is the drum's own */
 
 static void add_others(TbSolve *solve, const double *x, const double *grid, double *out) {
-  const double *slots = x + solve->in.stride;
-  double *answer = solve->work.answer, *moved = out + solve->in.stride;
+  const double *slots = x + tb_slot_row(&solve->in.rows, 0);
+  double *answer = solve->work.answer, *moved = out + tb_slot_row(&solve->in.rows, 0);
   tb_solve_slots(&solve->in, grid, slots, answer, moved);
   tb_solve_stretch(&solve->in, grid, slots, answer, moved);
 }

@@ -36,7 +36,7 @@ static Work *work_of(TbSolve *solve) { return &solve->NAME_OF(work); }
 
 /* Those of the slots stand last; they are skipped while none is in play. */
 static uint32_t total_rows(const TbSolve *solve) {
-  return solve->in.stride + (solve->in.slot_mask ? TB_SLOTS : 0u);
+  return tb_wire_rows(&solve->in.rows) + (solve->in.slot_mask ? TB_SLOTS : 0u);
 }
 
 /* ---- what each precision brings ---------------------------------------------------------------
@@ -75,7 +75,7 @@ static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Re
   }
   add_others(solve, x, grid, out);
   if (solve->in.lifted) {
-    memset(out, 0, solve->in.stride * sizeof *out);
+    memset(out, 0, tb_wire_rows(&solve->in.rows) * sizeof *out);
   } else {
     kernels->grid_to_rows(wire_grid, work->answer, work->scratch, out);
   }
@@ -88,11 +88,11 @@ static void product_of(TbSolve *solve, bool wires, const Real *x, Real *grid, Re
 static void slot_laws(TbSolve *solve, const Real *s) {
   const Work *work = work_of(solve);
   if (!solve->in.slot_mask) return;
-  memset(work->law + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
-  memset(work->slope + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
-  memset(work->mean + solve->in.stride, 0, TB_SLOTS * sizeof(Real));
+  memset(work->law + tb_slot_row(&solve->in.rows, 0), 0, TB_SLOTS * sizeof(Real));
+  memset(work->slope + tb_slot_row(&solve->in.rows, 0), 0, TB_SLOTS * sizeof(Real));
+  memset(work->mean + tb_slot_row(&solve->in.rows, 0), 0, TB_SLOTS * sizeof(Real));
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
-    const uint32_t row = solve->in.stride + slot;
+    const uint32_t row = tb_slot_row(&solve->in.rows, slot);
     if (!tb_slot_in_play(&solve->in, slot)) continue;
     const TbContactLawResult law =
       tb_contact_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
@@ -202,7 +202,7 @@ static void book(TbSolve *solve, Real wires_lost, uint32_t touching, TbSolveOutc
   outcome->touching = touching;
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     if (!tb_slot_in_play(&solve->in, slot)) continue;
-    const uint32_t row = solve->in.stride + slot;
+    const uint32_t row = tb_slot_row(&solve->in.rows, slot);
     const bool hand = solve->in.slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER;
     *(hand ? &damper : &contact) +=
       solve->s[row] * ((double)work->law[row] - (double)work->mean[row]);
@@ -213,12 +213,13 @@ static void book(TbSolve *solve, Real wires_lost, uint32_t touching, TbSolveOutc
 
 /* The same for the slots' rows; returns how many touch. */
 static uint32_t give_slots(TbSolve *solve, Real t) {
-  return solve->in.slot_mask ? give_rows(solve, solve->in.stride, TB_SLOTS, t).touching : 0u;
+  return solve->in.slot_mask ? give_rows(solve, tb_wire_rows(&solve->in.rows), TB_SLOTS, t).touching
+                             : 0u;
 }
 
 /* The forces where they are balanced, and what the laws lose there. */
 static void give_back(TbSolve *solve, Move move, TbSolveOutcome *outcome) {
-  const End wires = give_rows(solve, 0, solve->in.stride, move.t);
+  const End wires = give_rows(solve, 0, tb_wire_rows(&solve->in.rows), move.t);
   const uint32_t touching = wires.touching + give_slots(solve, move.t);
   book(solve, wires.lost + move.over, touching, outcome);
 }

@@ -36,7 +36,7 @@ static void yield_at_slots(TbSolve *solve) {
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     if (!tb_slot_in_play(&solve->in, slot)) continue;
     const double head = solve->in.slot_coupling[slot * (TB_SLOTS + 1u)];
-    solve->workf.yield[solve->in.stride + slot] += (float)head;
+    solve->workf.yield[tb_slot_row(&solve->in.rows, slot)] += (float)head;
   }
 }
 
@@ -84,11 +84,11 @@ static void add_slots(TbSolve *solve, const float *x, const float *grid, float *
   _Alignas(64) double slots[TB_SLOTS], moved[TB_SLOTS];
   kernels->widen(size, grid, pushed);
   kernels->widen(size, work->answer, answer);
-  kernels->widen(TB_SLOTS, x + solve->in.stride, slots);
+  kernels->widen(TB_SLOTS, x + tb_slot_row(&solve->in.rows, 0), slots);
   tb_solve_slots(&solve->in, pushed, slots, answer, moved);
   tb_solve_stretch(&solve->in, pushed, slots, answer, moved);
   kernels->narrow(size, answer, work->answer);
-  kernels->narrow(TB_SLOTS, moved, out + solve->in.stride);
+  kernels->narrow(TB_SLOTS, moved, out + tb_slot_row(&solve->in.rows, 0));
 }
 
 /* What the stretching of the heads adds to it where no slot is in play. */
@@ -105,7 +105,7 @@ static void add_stretch(TbSolve *solve, const float *grid, float *out) {
     const float pull = -((float)w[0] * along[0] + (float)w[1] * along[1]);
     kernels->axpy(size, work->answer, pull, work->stretch[h]);
   }
-  memset(out + solve->in.stride, 0, TB_SLOTS * sizeof *out);
+  memset(out + tb_slot_row(&solve->in.rows, 0), 0, TB_SLOTS * sizeof *out);
 }
 
 static void add_others(TbSolve *solve, const float *x, const float *grid, float *out) {
@@ -178,7 +178,7 @@ static float larger_of(float x, float y) { return x > y ? x : y; }
 static float begin_slots(TbSolve *solve, TbStartF *size) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   const TbSolveWorkF *work = &solve->workf;
-  const uint32_t at = solve->in.stride;
+  const uint32_t at = tb_slot_row(&solve->in.rows, 0);
   TbStartF slots = start_at(solve, at);
   kernels->start(TB_SLOTS, &slots);
   yield_at_slots(solve);
@@ -222,7 +222,7 @@ static TbTrial trial_of(const TbSolve *solve) {
 static void try_slots(TbSolve *solve, const float *yield, TbTrial *trial) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   const TbSolveWorkF *work = &solve->workf;
-  const uint32_t at = solve->in.stride;
+  const uint32_t at = tb_slot_row(&solve->in.rows, 0);
   if (!solve->in.slot_mask) return;
   trial->way = larger_of(kernels->change(TB_SLOTS, work->b + at, work->product + at, work->s + at),
                          trial->way);
@@ -262,7 +262,7 @@ static void give_trial(TbSolve *solve, const TbTrial *trial, TbSolveOutcome *out
                         .to_f = solve->warm.force,
                         .to_p = solve->warm.product,
                         .to_s = solve->s};
-  solve->in.kernelsf->finish_forces(solve->in.stride, &wires);
+  solve->in.kernelsf->finish_forces(tb_wire_rows(&solve->in.rows), &wires);
   const uint32_t touching = trial->touching + give_slots(solve, trial->t);
   book(solve, trial->lost - trial->balance.value, touching, outcome);
   move_grid(solve, trial->t);
@@ -314,7 +314,7 @@ static bool solve_contacts(TbSolve *solve, TbSolveOutcome *outcome) {
 static void product(TbSolve *solve, const double *x, double *grid, double *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   const TbSolveWorkF *work = &solve->workf;
-  const uint32_t rows = solve->in.stride + TB_SLOTS;
+  const uint32_t rows = tb_row_count(&solve->in.rows);
   kernels->narrow(rows, solve->in.contact_compliance, work->contact_compliance);
   kernels->narrow(rows, x, work->turned);
   product_of(solve, true, work->turned, work->grid, work->moved);

@@ -13,7 +13,7 @@ static const double MAJORANT_TOLERANCE = 1e-10;
 /* Work is exact to this part of what makes it up. */
 static const double WORK_TOLERANCE = 1e-13;
 
-static uint32_t total_rows(const TbSolve *solve) { return solve->in.stride + TB_SLOTS; }
+static uint32_t total_rows(const TbSolve *solve) { return tb_row_count(&solve->in.rows); }
 
 /* Curvature of the parabola through V(y) with slope V'(y) that lies above V between y and y + sp.
  */
@@ -28,8 +28,9 @@ static double majorant_curvature(const TbContactLaw *law, double y, double b, do
 
 /* NULL for a slot that is not in play. */
 static const TbContactLaw *law_of(const TbSolve *solve, uint32_t row) {
-  if (row < solve->in.stride) return &solve->in.wire_laws[row / solve->in.wire_grid->lanes];
-  const uint32_t slot = row - solve->in.stride;
+  if (row < tb_wire_rows(&solve->in.rows))
+    return &solve->in.wire_laws[row / solve->in.wire_grid->lanes];
+  const uint32_t slot = row - tb_slot_row(&solve->in.rows, 0);
   return tb_slot_in_play(&solve->in, slot) ? &solve->in.slot_laws[slot] : NULL;
 }
 

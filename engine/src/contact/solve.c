@@ -21,7 +21,7 @@ void tb_solve_product(TbSolve *solve, const double *x, double *grid, double *out
 static bool slots_act(const TbSolve *solve) {
   const TbContacts *in = &solve->in;
   for (uint32_t slot = 0; in->slot_mask >> slot; slot++) {
-    const uint32_t row = in->stride + slot;
+    const uint32_t row = tb_slot_row(&in->rows, slot);
     if (!tb_slot_in_play(in, slot)) continue;
     if (in->slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER) return true;
     if (in->y[row] > 0.0 || in->y[row] + in->b[row] > 0.0) return true;
@@ -31,7 +31,7 @@ static bool slots_act(const TbSolve *solve) {
 }
 
 void tb_solve_forget(TbSolve *solve) {
-  const size_t bytes = (solve->in.stride + TB_SLOTS) * sizeof(double);
+  const size_t bytes = (tb_row_count(&solve->in.rows)) * sizeof(double);
   memset(solve->warm.force, 0, bytes);
   memset(solve->warm.product, 0, bytes);
   memset(solve->warm.grid, 0, solve->in.wire_grid->size * sizeof(double));
@@ -42,7 +42,7 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
   TbSolveOutcome outcome = {0};
   if (!(*method)->near(solve) && !slots_act(solve)) {
     tb_solve_forget(solve);
-    memcpy(solve->s, solve->in.b, (solve->in.stride + TB_SLOTS) * sizeof(double));
+    memcpy(solve->s, solve->in.b, (tb_row_count(&solve->in.rows)) * sizeof(double));
     return outcome;
   }
   outcome.contact = true;

@@ -44,27 +44,28 @@ typedef struct TbContacts {
   const TbKernelsF *kernelsf;
   const TbWireGridF *wire_gridf;
   const TbComplianceF *compliancef;
-  const float *yield; /* [stride + TB_SLOTS]: the head's compliance at a point, to a force there
+  const float *yield; /* [rows]: the head's compliance at a point, to a force there
                        * [m/N]; 0 at the slots */
   bool near;          /* some wire point may touch */
-  uint32_t stride, slot_mask;
+  TbRows rows;
+  uint32_t slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */
   uint32_t cap, inner_cap;
   double tolerance, inner_tolerance;
   const double *coupling;           /* [TB_SLOTS][grid size]: head's compliance, grid to slot */
   const double *slot_coupling;      /* [TB_SLOTS][TB_SLOTS] */
-  const double *contact_compliance; /* [stride + TB_SLOTS]: compliance of wires and strikers */
+  const double *contact_compliance; /* [rows]: compliance of wires and strikers */
   const TbContactLaw *wire_laws, *slot_laws;
   /* Stretching heads reduce M to M - r^T W r (stretch.h). r on the grid and at the slots. */
   uint32_t stretch_count;
   double *stretch_grid[2], stretch_weight[2][2];
   _Alignas(64) double stretch_slots[2][TB_SLOTS];
-  const double *b, *y; /* [stride + TB_SLOTS] */
+  const double *b, *y; /* [rows] */
 } TbContacts;
 
 /* The last sample's result: the solve starts from it and replaces it. */
 typedef struct TbWarmStart {
-  double *force, *product; /* [stride + TB_SLOTS]: f and M f */
+  double *force, *product; /* [rows]: f and M f */
   double *grid;            /* [grid size]: f on the grid */
 } TbWarmStart;
 
@@ -74,7 +75,7 @@ typedef struct TbWarmStart {
 typedef struct TbSolve {
   TbContacts in;
   TbWarmStart warm;
-  double *s; /* [stride + TB_SLOTS], out */
+  double *s; /* [rows], out */
   TbSolveWork work;
   TbSolveWorkF workf; /* for TB_IN_FLOAT alone */
 } TbSolve;

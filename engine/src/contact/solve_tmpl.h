@@ -3,7 +3,7 @@
  * both.h. */
 typedef struct TB_TYPE(TbSolveWork) {
   bool wires;               /* wire points take part */
-  TB_REAL *s;               /* [stride + TB_SLOTS], as all arrays before `grid` */
+  TB_REAL *s;               /* [rows], as all arrays before `grid` */
   TB_REAL *force, *product; /* f~ and M f~ */
   TB_REAL *force_last, *product_last;
   TB_REAL *law, *slope, *mean;
@@ -11,8 +11,8 @@ typedef struct TB_TYPE(TbSolveWork) {
   TB_REAL *grid, *grid_last, *pushed, *answer; /* [grid size] */
   TB_REAL *scratch;                            /* [tb_wire_grid_scratch] */
 #if TB_REAL_IS_FLOAT
-  float *b, *y, *root, *contact_compliance, *before; /* [stride + TB_SLOTS] */
-  float *yield;      /* [stride + TB_SLOTS]: contact_compliance and the head's right below */
+  float *b, *y, *root, *contact_compliance, *before; /* [rows] */
+  float *yield;      /* [rows]: contact_compliance and the head's right below */
   float *stretch[2]; /* [grid size] */
 #endif
 } TB_TYPE(TbSolveWork);

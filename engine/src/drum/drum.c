@@ -388,7 +388,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];
     if (!tb_slot_strikes(slot)) continue;
-    const double force = view.solve.warm.force[model->wires.stride + i];
+    const double force = view.solve.warm.force[tb_slot_row(&model->rows, i)];
     probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;
     const bool shaft =
       slot->kind == TB_SLOT_END && slot->on_hoop; /* of a stick whose tip is meant */

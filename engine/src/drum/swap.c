@@ -201,9 +201,8 @@ static void carry_live(const TbView *from, TbView *to, double ratio) {
 
 /* Penetrations follow from displacements; where nothing changed they are the same to the bit. */
 static void carry_contacts(const TbView *from, TbView *to) {
-  const uint32_t stride = to->model->wires.stride;
   if (from->model->fingerprint == to->model->fingerprint) {
-    const size_t bytes = (stride + TB_SLOTS) * sizeof(double);
+    const size_t bytes = tb_row_count(&to->model->rows) * sizeof(double);
     memcpy(to->now.eta, from->now.eta, bytes);
     memcpy(to->last.eta, from->last.eta, bytes);
     memcpy(to->solve.warm.force, from->solve.warm.force, bytes);
@@ -281,7 +280,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     if (tb_slot(to, i)->kind == TB_SLOT_FREE) continue;
-    const double force = from->solve.warm.force[from->model->wires.stride + i];
+    const double force = from->solve.warm.force[tb_slot_row(&from->model->rows, i)];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
     tb_pool_rebuild(to, i);
     if (same) {

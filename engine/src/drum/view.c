@@ -83,7 +83,7 @@ static TaborViewStick view_stick(const TbView *state, uint32_t i) {
                           .radius = slot->radius,
                           .angle = slot->angle,
                           .height = slot->rest_height + state->now.z[i] + bow,
-                          .force = state->solve.warm.force[state->model->wires.stride + i]};
+                          .force = state->solve.warm.force[tb_slot_row(&state->model->rows, i)]};
 }
 
 static void view_sticks(TaborView *seen, const TbView *state) {

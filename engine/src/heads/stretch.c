@@ -243,7 +243,7 @@ void tb_stretch_renew(TbView *view) {
   TbSolve *solve = &view->solve;
   if (view->model->stretch.count == 0 || view->state->airborne) return;
   if (view->stretch.count == 0 && view->state->unstretched > view->model->stretch.hold) return;
-  const uint32_t size = solve->in.wire_grid->size, stride = solve->in.stride;
+  const uint32_t size = solve->in.wire_grid->size, stride = tb_wire_rows(&solve->in.rows);
   double *carry = view->stretch.carry;
   tb_solve_stretch(&solve->in, solve->warm.grid, solve->warm.force + stride, carry, carry + size);
   if (!view->state->wires.lifted) tb_wire_motion_of(view)->renew(view, carry);
@@ -254,7 +254,7 @@ void tb_stretch_renew(TbView *view) {
 static double pushed_along(const TbView *view, uint32_t h) {
   const TbSolve *solve = &view->solve;
   const double slots = solve->in.kernels->dot(TB_SLOTS, solve->in.stretch_slots[h],
-                                              solve->warm.force + solve->in.stride);
+                                              solve->warm.force + tb_slot_row(&solve->in.rows, 0));
   if (view->state->wires.lifted) return slots;
   return solve->in.kernels->dot(solve->in.wire_grid->size, solve->in.stretch_grid[h],
                                 solve->warm.grid) +

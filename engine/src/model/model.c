@@ -142,7 +142,7 @@ static TaborStatus prepare_laws(TaborModel *model, TbArena *scratch) {
                        .grid = tb_arena_doubles(scratch, wire_grid->size),
                        .answer = tb_arena_doubles(scratch, wire_grid->size),
                        .fold = tb_arena_doubles(scratch, tb_wire_grid_scratch(wire_grid))};
-  model->yield = tb_arena_take(&model->arena, model->wires.stride + TB_SLOTS, sizeof *model->yield);
+  model->yield = tb_arena_take(&model->arena, tb_row_count(&model->rows), sizeof *model->yield);
   if (scratch->failed || model->arena.failed) return TABOR_ERROR_MEMORY;
   for (uint32_t w = 0; w < model->wires.count; w++) prepare_law(model, &probe, w);
   return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
@@ -246,7 +246,7 @@ static TaborStatus allocate_rest(TaborModel *model, TbArena *scratch) {
   rest->v = tb_arena_doubles(&model->arena, model->wires.node_count);
   rest->bend = tb_arena_doubles(&model->arena, model->wires.node_count);
   rest->eta = tb_arena_doubles(&model->arena, model->wires.stride);
-  rest->force = tb_arena_doubles(&model->arena, model->wires.stride + TB_SLOTS);
+  rest->force = tb_arena_doubles(&model->arena, tb_row_count(&model->rows));
   rest->grid = tb_arena_doubles(&model->arena, model->projection.wire_grid.size);
   rest->offset = tb_arena_doubles(&model->arena, model->wires.count);
   return model->arena.failed ? TABOR_ERROR_MEMORY : TABOR_OK;
@@ -361,6 +361,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
                             level->wire_cells, error);
   if (status != TABOR_OK) return status;
+  model->rows = tb_rows(model->wires.stride);
 
   typedef struct Stage {
     TaborStatus (*prepare)(TaborModel *, TbArena *);

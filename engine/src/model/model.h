@@ -46,7 +46,7 @@ typedef struct TbRest {
   double *v;      /* [node_count] wires [m] */
   double *bend;   /* [node_count] their second differences [m] */
   double *eta;    /* [stride] penetration [m] */
-  double *force;  /* [stride + TB_SLOTS] contact force [N]; zero for the striker pool */
+  double *force;  /* [rows] contact force [N]; zero for the striker pool */
   double *grid;   /* [grid size] `force` on the grid under the wires */
   double *offset; /* [wires] of the ends [m] */
   double head;    /* height of the centre of the wires' head [m] */
@@ -120,6 +120,7 @@ struct TaborModel {
   const TbKernelsF *kernelsf;        /* for this processor, in single precision */
   TbBody body;
   TbWires wires;
+  TbRows rows;
   TbModes modes;
   TbMic mics[TABOR_MAX_MICS];
   TbRadiatedPower power;
@@ -131,7 +132,7 @@ struct TaborModel {
   TbResting resting;
   TbProjection projection;
   TbCompliance compliance; /* of the head over one step */
-  /* [wires.stride + TB_SLOTS]: the head's compliance at a point, to a force there [m/N] */
+  /* [rows]: the head's compliance at a point, to a force there [m/N] */
   float *yield;
   TbWireGridF wire_gridf;    /* for contacts in single precision */
   TbComplianceF compliancef; /* for contacts in single precision */

@@ -11,7 +11,7 @@
 typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } TbArrayKind;
 
 /* Contacts (a row is one), points of the grid, modes. */
-#define TB_STATE_ROWS (model->wires.stride + TB_SLOTS)
+#define TB_STATE_ROWS (tb_row_count(&model->rows))
 #define TB_STATE_GRID (model->projection.wire_grid.size)
 #define TB_STATE_MODES (model->modes.padded)
 

@@ -36,7 +36,7 @@ static TbSolveWork work_at(TbState *state, const TaborModel *model) {
     &work.force_last, &work.product_last, &work.law,    &work.slope, &work.mean,    &work.weight,
     &work.residual,   &work.direction,    &work.turned, &work.moved, &work.solution};
   double **const grids[TB_WORK_GRIDS] = {&work.grid_last, &work.pushed, &work.answer};
-  for (int i = 0; i < TB_WORK_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < TB_WORK_ROWS; i++, next += tb_row_count(&model->rows)) *rows[i] = next;
   for (int i = 0; i < TB_WORK_GRIDS; i++, next += model->projection.wire_grid.size)
     *grids[i] = next;
   work.scratch = next;
@@ -61,7 +61,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
     &work.yield,      &work.before};
   float **const grids[TB_WORKF_GRIDS] = {&work.grid,   &work.grid_last,  &work.pushed,
                                          &work.answer, &work.stretch[0], &work.stretch[1]};
-  for (int i = 0; i < TB_WORKF_ROWS; i++, next += model->wires.stride + TB_SLOTS) *rows[i] = next;
+  for (int i = 0; i < TB_WORKF_ROWS; i++, next += tb_row_count(&model->rows)) *rows[i] = next;
   for (int i = 0; i < TB_WORKF_GRIDS; i++, next += model->wire_gridf.size) *grids[i] = next;
   for (int i = 0; i < 2; i++, next += model->modes.padded) modal[i] = next;
   work.scratch = next;
@@ -76,7 +76,7 @@ static TbContacts contacts_of(TbState *state, const TaborModel *model) {
                       .wire_gridf = &model->wire_gridf,
                       .compliancef = &model->compliancef,
                       .yield = model->yield,
-                      .stride = model->wires.stride,
+                      .rows = model->rows,
                       .slot_mask = state->strikers.mask,
                       .cap = model->newton_cap,
                       .inner_cap = model->inner_cap,

@@ -15,11 +15,11 @@ static void shorten_all(TbView *view, double t) {
   const TbWires *wires = &view->model->wires;
   shorten(view->model->modes.padded, view->next.q, view->last.q, t);
   shorten(wires->node_count, view->next.v, view->last.v, t);
-  shorten(wires->stride + TB_SLOTS, view->next.eta, view->last.eta, t);
+  shorten(tb_row_count(&view->model->rows), view->next.eta, view->last.eta, t);
   shorten(TB_SLOTS, view->next.z, view->last.z, t);
   shorten(TB_SLOTS * TB_TRUNCATED, view->next.truncated[0], view->last.truncated[0], t);
   shorten(TB_SLOTS * TB_BENDS, view->next.bow[0], view->last.bow[0], t);
-  for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) view->s[row] *= t;
+  for (uint32_t row = 0; row < tb_row_count(&view->model->rows); row++) view->s[row] *= t;
 }
 
 static double energy_and_losses(const TbView *view) {

@@ -13,7 +13,7 @@ void tb_step_reset(TbState *state, const TaborModel *model) {
   memcpy(state->moving, model->resting.floor, sizeof state->moving);
   TbView view = tb_view(state, model);
   const TbWires *wires = &model->wires;
-  for (uint32_t row = 0; row < wires->stride + TB_SLOTS; row++) {
+  for (uint32_t row = 0; row < tb_row_count(&model->rows); row++) {
     const bool real = row < wires->stride;
     const double eta = real ? model->rest.eta[row] : TB_NOTHING;
     view.now.eta[row] = view.last.eta[row] = view.next.eta[row] = eta;

@@ -84,7 +84,7 @@ static void return_to_rest(TbView *view) {
     view->solve.warm.force[row] = model->rest.force[row];
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[model->wires.stride + i] = 0.0;
+    if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[tb_slot_row(&model->rows, i)] = 0.0;
   }
   tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                    view->solve.warm.product);
@@ -93,7 +93,7 @@ static void return_to_rest(TbView *view) {
 
 static void stop(TbView *view) {
   const TaborModel *model = view->model;
-  const uint32_t rows = model->wires.stride + TB_SLOTS;
+  const uint32_t rows = tb_row_count(&model->rows);
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));
   memcpy(view->last.v, view->now.v, model->wires.node_count * sizeof(double));
   memcpy(view->last.eta, view->now.eta, rows * sizeof(double));

@@ -86,7 +86,7 @@ static void free_penetration(TbView *view) {
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
     if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
-    const uint32_t row = model->wires.stride + i;
+    const uint32_t row = tb_slot_row(&model->rows, i);
     const double head = tb_pool_displacement(view, i, view->next.q);
     double eta = head;
     if (tb_slot_strikes(tb_slot(view, i))) {
@@ -130,13 +130,12 @@ static void respond_to_wires(TbView *view, bool unchanged) {
  * rest neither, so they add nothing. */
 static void respond(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
-  const uint32_t stride = model->wires.stride;
   const double *force = view->solve.warm.force;
   if (!view->state->wires.lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
     if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
-    const uint32_t row = stride + i;
+    const uint32_t row = tb_slot_row(&model->rows, i);
     if (force[row] != 0.0) {
       tb_pool_push(view, i, -force[row], view->next.q);
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);

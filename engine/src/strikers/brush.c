@@ -314,7 +314,7 @@ static void press_on(TbView *view, const TbBrush *brush, TbSlot *s) {
 
 static bool is_lifted(const TbView *view, const TbBrush *brush, uint32_t slot) {
   if (!brush->lifting) return false;
-  return brush->lifting == 1 || view->now.eta[view->model->wires.stride + slot] < -LIFTED;
+  return brush->lifting == 1 || view->now.eta[tb_slot_row(&view->model->rows, slot)] < -LIFTED;
 }
 
 static void step_group(TbView *view, uint32_t b, uint32_t group, double way, bool slides) {

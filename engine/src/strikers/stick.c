@@ -191,5 +191,5 @@ double tb_stick_free_height(const TbView *view, uint32_t slot) {
 double tb_stick_pull(const TbView *view, uint32_t slot) {
   const uint32_t other = tb_slot(view, slot)->end.other;
   return tb_stick_compliance(view, slot, other) *
-         view->solve.warm.force[view->model->wires.stride + other];
+         view->solve.warm.force[tb_slot_row(&view->model->rows, other)];
 }

@@ -64,7 +64,7 @@ void tb_hold_regrip(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *s = tb_slot(view, i);
     if (!s->hold.held) continue;
-    view->contact_compliance[view->model->wires.stride + i] = tb_hold_compliance(view, i);
+    view->contact_compliance[tb_slot_row(&view->model->rows, i)] = tb_hold_compliance(view, i);
     found = true;
   }
   if (found) tb_coupling_renew(view);
@@ -77,7 +77,7 @@ void tb_hold(TbView *view, uint32_t slot, double force) {
   if (!s->hold.held) s->hold.anchor = view->now.z[slot];
   s->hold.held = 1;
   s->hold.press = force;
-  view->contact_compliance[view->model->wires.stride + slot] = tb_hold_compliance(view, slot);
+  view->contact_compliance[tb_slot_row(&view->model->rows, slot)] = tb_hold_compliance(view, slot);
   tb_coupling_renew(view);
 }
 

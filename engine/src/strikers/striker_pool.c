@@ -107,7 +107,7 @@ static void prepare_law(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   const TbSlot *s = tb_slot(view, slot);
   TbContactLaw *law = &view->state->strikers.laws[slot];
-  const uint32_t row = model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&model->rows, slot);
   if (!tb_slot_strikes(s)) {
     view->contact_compliance[row] = 0.0;
     tb_contact_law_damper(law, s->resistance, model->time_step);
@@ -195,7 +195,7 @@ static void find_place(TbView *view, uint32_t slot) {
 }
 
 static void find_penetration(TbView *view, uint32_t slot) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   view->now.eta[row] = penetration_at(view, slot, &view->now);
   view->last.eta[row] = penetration_at(view, slot, &view->last);
 }
@@ -212,12 +212,12 @@ void tb_pool_rebuild(TbView *view, uint32_t slot) {
   find_place(view, slot);
   prepare_law(view, slot);
   find_penetration(view, slot);
-  view->solve.warm.force[view->model->wires.stride + slot] = 0.0;
+  view->solve.warm.force[tb_slot_row(&view->model->rows, slot)] = 0.0;
 }
 
 double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
                               const TbPhase *now) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   const double sum = next->eta[row] + now->eta[row];
   return 0.5 * tb_contact_law_potential(&view->state->strikers.laws[slot], sum);
 }
@@ -227,7 +227,7 @@ static double contact_energy(const TbView *view, uint32_t slot) {
 }
 
 void tb_pool_raise(TbView *view, uint32_t slot, double by) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   const double before = contact_energy(view, slot);
   tb_slot(view, slot)->bristles.coat += by;
   view->now.eta[row] += by;
@@ -247,7 +247,7 @@ void tb_pool_draw(TbView *view, uint32_t slot, double radius, double angle) {
 
 /* Makes a row stand for nothing: see TbSolve. */
 static void clear_row(TbView *view, uint32_t slot) {
-  const uint32_t stride = view->model->wires.stride, row = stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   TbPhase *const phases[3] = {&view->next, &view->now, &view->last};
   for (int i = 0; i < 3; i++) {
     phases[i]->z[slot] = 0.0;
@@ -322,7 +322,7 @@ void tb_pool_muffle(TbView *view) {
 }
 
 static bool row_touches(const TbView *view, uint32_t slot) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   return view->now.eta[row] > 0.0 || view->last.eta[row] > 0.0;
 }
 
@@ -349,7 +349,7 @@ uint32_t tb_pool_obtain(TbView *view) {
 }
 
 static void raise(TbView *view, uint32_t slot, double above) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   view->now.z[slot] += above;
   view->last.z[slot] += above;
   view->now.eta[row] -= above;
@@ -358,7 +358,7 @@ static void raise(TbView *view, uint32_t slot, double above) {
 
 /* `above` the surface now, or, where the head recedes faster, above it one sample ago. */
 static void launch(TbView *view, uint32_t slot, double above) {
-  const uint32_t row = view->model->wires.stride + slot;
+  const uint32_t row = tb_slot_row(&view->model->rows, slot);
   const double approach = tb_slot(view, slot)->striker.velocity * view->model->time_step;
   const double surface_now = view->now.eta[row], surface_last = view->last.eta[row];
   double z = surface_now;
@@ -409,7 +409,7 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
 
 /* Off and away: nothing touches, nor will it in a moment. */
 static bool is_leaving(const TbView *view, uint32_t slot) {
-  const double gap = -view->now.eta[view->model->wires.stride + slot];
+  const double gap = -view->now.eta[tb_slot_row(&view->model->rows, slot)];
   const TbSlot *s = tb_slot(view, slot);
   const double far = s->hold.held && !s->hold.leaving ? OUT_OF_HAND : AWAY;
   return gap > far && view->now.z[slot] > view->last.z[slot];
@@ -426,7 +426,7 @@ static bool is_done(const TbView *view, uint32_t slot) {
     return true;
   if (tb_pool_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
-    const double gap = -view->now.eta[view->model->wires.stride + slot];
+    const double gap = -view->now.eta[tb_slot_row(&view->model->rows, slot)];
     return !s->hold.held || s->hold.leaving || gap > OUT_OF_HAND;
   }
   return s->kind != TB_SLOT_END && is_leaving(view, slot);

@@ -29,7 +29,7 @@ static void renew(TbView *view, const double *motion) {
   const TbKernels *kernels = view->model->kernels;
   const TbSolve *solve = &view->solve;
   kernels->grid_to_rows(solve->in.wire_grid, motion, solve->work.scratch, solve->work.turned);
-  kernels->axpy(solve->in.stride, solve->warm.product, 1.0, solve->work.turned);
+  kernels->axpy(tb_wire_rows(&solve->in.rows), solve->warm.product, 1.0, solve->work.turned);
 }
 
 static void project_forces(TbView *view) {

@@ -81,7 +81,8 @@ static void renew(TbView *view, const double *motion) {
   view->model->kernelsf->narrow(view->model->wire_gridf.size, motion, work->answer);
   view->model->kernelsf->grid_to_rows(&view->model->wire_gridf, work->answer, work->scratch,
                                       work->moved);
-  view->model->kernelsf->add_widened(view->solve.in.stride, work->moved, view->solve.warm.product);
+  view->model->kernelsf->add_widened(tb_wire_rows(&view->solve.in.rows), work->moved,
+                                     view->solve.warm.product);
 }
 
 static void settle(TbView *view) {

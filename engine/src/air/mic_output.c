@@ -57,7 +57,7 @@ static bool strike_high(TbView *view) {
     if (push == 0.0) continue;
     tb_high_band_step_of(view)->strike(view, i, push);
     struck = true;
-    if (slot->kind != TB_SLOT_BRISTLES && fabs(push) > LEAST_PUSH) view->state->high.struck = 1;
+    if (!tb_slot_is_bristles(slot) && fabs(push) > LEAST_PUSH) view->state->high.struck = 1;
   }
   return struck;
 }

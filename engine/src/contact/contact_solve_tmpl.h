@@ -93,7 +93,7 @@ static void slot_laws(TbSolve *solve, const Real *s) {
   memset(work->mean + tb_slot_row(&solve->in.rows, 0), 0, TB_SLOTS * sizeof(Real));
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     const uint32_t row = tb_slot_row(&solve->in.rows, slot);
-    if (!tb_slot_in_play(&solve->in, slot)) continue;
+    if (!tb_contacts_have_slot(&solve->in, slot)) continue;
     const TbContactLawResult law =
       tb_contact_law_force(&solve->in.slot_laws[slot], (double)y_of(solve)[row], (double)s[row]);
     work->law[row] = (Real)law.force;
@@ -201,7 +201,7 @@ static void book(TbSolve *solve, Real wires_lost, uint32_t touching, TbSolveOutc
   double contact = (double)wires_lost, damper = 0.0;
   outcome->touching = touching;
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
-    if (!tb_slot_in_play(&solve->in, slot)) continue;
+    if (!tb_contacts_have_slot(&solve->in, slot)) continue;
     const uint32_t row = tb_slot_row(&solve->in.rows, slot);
     const bool hand = solve->in.slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER;
     *(hand ? &damper : &contact) +=

@@ -34,7 +34,7 @@ static bool near(const TbSolve *solve) { return solve->in.near; }
 /* What the head adds to the slots' own compliance. */
 static void yield_at_slots(TbSolve *solve) {
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
-    if (!tb_slot_in_play(&solve->in, slot)) continue;
+    if (!tb_contacts_have_slot(&solve->in, slot)) continue;
     const double head = solve->in.slot_coupling[slot * (TB_SLOTS + 1u)];
     solve->workf.yield[tb_slot_row(&solve->in.rows, slot)] += (float)head;
   }

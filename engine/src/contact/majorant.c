@@ -31,7 +31,7 @@ static const TbContactLaw *law_of(const TbSolve *solve, uint32_t row) {
   if (row < tb_wire_rows(&solve->in.rows))
     return &solve->in.wire_laws[row / solve->in.wire_grid->lanes];
   const uint32_t slot = row - tb_slot_row(&solve->in.rows, 0);
-  return tb_slot_in_play(&solve->in, slot) ? &solve->in.slot_laws[slot] : NULL;
+  return tb_contacts_have_slot(&solve->in, slot) ? &solve->in.slot_laws[slot] : NULL;
 }
 
 /* V'' is nowhere larger (contact_law.h): this parabola lies above V whatever s turns out to be. */

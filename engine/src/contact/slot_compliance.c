@@ -22,7 +22,7 @@ void tb_solve_slots(const TbContacts *in, const double *pushed, const double *sl
   const uint32_t size = in->wire_grid->size;
   for (uint32_t slot = 0; slot < TB_SLOTS; slot++) {
     out[slot] = 0.0;
-    if (!tb_slot_in_play(in, slot)) continue;
+    if (!tb_contacts_have_slot(in, slot)) continue;
     const double *coupling = in->coupling + (uint64_t)slot * size;
     out[slot] = in->kernels->dot(size, coupling, pushed);
     for (uint32_t other = 0; other < TB_SLOTS; other++) {

@@ -6,7 +6,7 @@
 
 #include "contact/solve.h"
 
-static inline bool tb_slot_in_play(const TbContacts *in, uint32_t slot) {
+static inline bool tb_contacts_have_slot(const TbContacts *in, uint32_t slot) {
   return in->slot_mask >> slot & 1u;
 }
 

@@ -22,7 +22,7 @@ static bool slots_act(const TbSolve *solve) {
   const TbContacts *in = &solve->in;
   for (uint32_t slot = 0; in->slot_mask >> slot; slot++) {
     const uint32_t row = tb_slot_row(&in->rows, slot);
-    if (!tb_slot_in_play(in, slot)) continue;
+    if (!tb_contacts_have_slot(in, slot)) continue;
     if (in->slot_laws[slot].kind == TB_CONTACT_LAW_DAMPER) return true;
     if (in->y[row] > 0.0 || in->y[row] + in->b[row] > 0.0) return true;
     if (solve->warm.force[row] != 0.0) return true;

@@ -339,8 +339,8 @@ void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   *statistics = drum->state->ledger.statistics;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];
-    const bool counted = slot->kind == TB_SLOT_END && slot->end.other < i; /* with that end */
-    statistics->in_play += slot->kind != TB_SLOT_FREE && !counted;
+    const bool counted = tb_slot_is_end(slot) && slot->end.other < i; /* with that end */
+    statistics->in_play += tb_slot_in_play(slot) && !counted;
   }
   for (uint32_t i = 0; i < TB_BRUSHES; i++)
     statistics->in_play += drum->state->strikers.brushes[i].active;
@@ -390,8 +390,7 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
     if (!tb_slot_strikes(slot)) continue;
     const double force = view.solve.warm.force[tb_slot_row(&model->rows, i)];
     probe->striker_force = isnan(probe->striker_force) ? force : probe->striker_force + force;
-    const bool shaft =
-      slot->kind == TB_SLOT_END && slot->on_hoop; /* of a stick whose tip is meant */
+    const bool shaft = tb_slot_is_end(slot) && slot->on_hoop; /* of a stick whose tip is meant */
     if (slot->serial > newest && !shaft) {
       newest = slot->serial;
       probe->striker = slot->rest_height + view.now.z[i];

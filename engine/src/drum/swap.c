@@ -226,8 +226,7 @@ static void carry_truncated(const TbView *from, TbView *to, uint32_t slot, doubl
 static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double ratio) {
   double *now = to->now.bow[slot], *last = to->last.bow[slot];
   TbSlot *s = tb_slot(to, slot);
-  if (s->kind == TB_SLOT_TIP && s->end.bends)
-    s->end.bends = tb_stick_bends(to, s->striker.definition);
+  if (tb_slot_is_tip(s) && s->end.bends) s->end.bends = tb_stick_bends(to, s->striker.definition);
   if (!s->end.bends) return;
   memcpy(now, from->now.bow[slot], sizeof from->now.bow[slot]);
   memcpy(last, from->last.bow[slot], sizeof from->last.bow[slot]);
@@ -238,7 +237,7 @@ static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double 
 static bool is_known(const TaborModel *model, const TbSlot *slot) {
   const TaborStrikerDef *striker = &model->def.striker[slot->striker.definition];
   if (slot->striker.definition >= model->def.striker_count) return false;
-  return slot->kind != TB_SLOT_BRISTLES || striker->kind == TABOR_STRIKER_BRUSH;
+  return !tb_slot_is_bristles(slot) || striker->kind == TABOR_STRIKER_BRUSH;
 }
 
 /* Its paths are per step, and its times in steps. */
@@ -269,7 +268,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = tb_slot(from, i);
     const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
-    if (slot->kind == TB_SLOT_FREE || muffles || !is_known(to->model, slot)) continue;
+    if (!tb_slot_in_play(slot) || muffles || !is_known(to->model, slot)) continue;
     *tb_slot(to, i) = slot_at_steps(*slot, ratio);
     to->state->strikers.mask |= 1u << i;
     to->now.z[i] = from->now.z[i];
@@ -279,7 +278,7 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   }
   tb_pool_muffle(to);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (tb_slot(to, i)->kind == TB_SLOT_FREE) continue;
+    if (!tb_slot_in_play(tb_slot(to, i))) continue;
     const double force = from->solve.warm.force[tb_slot_row(&from->model->rows, i)];
     const double now = to->now.eta[first + i], last = to->last.eta[first + i];
     tb_pool_rebuild(to, i);

@@ -77,11 +77,7 @@ static void stop(TbView *view, uint32_t from, uint32_t end) {
 static bool goes_on(const TbView *view) {
   if (!view->model->def.quality.losses) return true;
   if (tb_incident_pushes_all(view)) return true;
-  for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
-    const TbSlot *s = tb_slot(view, slot);
-    if (s->kind != TB_SLOT_FREE && s->kind != TB_SLOT_MUFFLER) return true;
-  }
-  return false;
+  return tb_slots_play(view);
 }
 
 bool tb_moving_rest(TbView *view) {

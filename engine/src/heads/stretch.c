@@ -35,7 +35,7 @@ static void prepare_slots(TbView *view) {
   const double *const pull[2] = {view->stretch.pull[0], view->stretch.pull[1]};
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
-    if (tb_slot(view, slot)->kind == TB_SLOT_FREE) continue;
+    if (!tb_slot_in_play(tb_slot(view, slot))) continue;
     const TbSlot *s = tb_slot(view, slot);
     const TbParts *felt = s->on_hoop ? &stretch->parts : &stretch->felt[s->head];
     const TbPair r = model->kernels->stretch_dots(felt, pull, tb_slot_shape(view, slot));

@@ -97,7 +97,15 @@ static inline TbSlot *tb_slot(const TbView *view, uint32_t slot) {
 /* Of a stick on head and hoop; otherwise the slot itself. */
 static inline uint32_t tb_slot_other_end(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
-  return s->kind == TB_SLOT_END ? s->end.other : slot;
+  return tb_slot_is_end(s) ? s->end.other : slot;
+}
+/* True if a striker or a hand is in play; mufflers, which stay, do not count. */
+static inline bool tb_slots_play(const TbView *view) {
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    const TbSlot *s = tb_slot(view, i);
+    if (tb_slot_in_play(s) && !tb_slot_is_muffler(s)) return true;
+  }
+  return false;
 }
 /* One slot's part of the per-slot arrays. */
 static inline double *tb_slot_shape(const TbView *view, uint32_t slot) {

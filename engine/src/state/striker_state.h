@@ -81,8 +81,19 @@ typedef struct TbSlot {
   TbBristles bristles;
 } TbSlot;
 
+/* The only places where a kind is looked at, but for strikers/ itself. */
+static inline bool tb_slot_in_play(const TbSlot *slot) { return slot->kind != TB_SLOT_FREE; }
+static inline bool tb_slot_is_tip(const TbSlot *slot) { return slot->kind == TB_SLOT_TIP; }
+static inline bool tb_slot_is_end(const TbSlot *slot) { return slot->kind == TB_SLOT_END; }
+static inline bool tb_slot_is_bristles(const TbSlot *slot) {
+  return slot->kind == TB_SLOT_BRISTLES;
+}
+static inline bool tb_slot_is_hand(const TbSlot *slot) { return slot->kind == TB_SLOT_HAND; }
+static inline bool tb_slot_is_palm(const TbSlot *slot) { return slot->kind == TB_SLOT_PALM; }
+static inline bool tb_slot_is_muffler(const TbSlot *slot) { return slot->kind == TB_SLOT_MUFFLER; }
+/* A striker, as against what only damps. */
 static inline bool tb_slot_strikes(const TbSlot *slot) {
-  return slot->kind == TB_SLOT_TIP || slot->kind == TB_SLOT_END || slot->kind == TB_SLOT_BRISTLES;
+  return tb_slot_is_tip(slot) || tb_slot_is_end(slot) || tb_slot_is_bristles(slot);
 }
 
 /* Motion of a brush by a hand: see brush.h. Path lengths are per sample. */

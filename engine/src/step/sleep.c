@@ -61,15 +61,7 @@ static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[mode
 
 /* True if a striker, a hand or wires of another tension hold the drum away from its rest. */
 static bool is_held(const TbView *view) {
-  const TbWires *wires = &view->model->wires;
-  for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    const uint32_t kind = tb_slot(view, i)->kind;
-    if (kind != TB_SLOT_FREE && kind != TB_SLOT_MUFFLER) return true;
-  }
-  for (uint32_t w = 0; w < wires->count; w++) {
-    if (view->state->wires.coefficients[w].tension != wires->wires[w].tension) return true;
-  }
-  return false;
+  return tb_slots_play(view) || !tb_wires_have_own_tension(view);
 }
 
 static void return_to_rest(TbView *view) {
@@ -84,7 +76,7 @@ static void return_to_rest(TbView *view) {
     view->solve.warm.force[row] = model->rest.force[row];
   }
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
-    if (tb_slot(view, i)->kind != TB_SLOT_FREE) view->now.eta[tb_slot_row(&model->rows, i)] = 0.0;
+    if (tb_slot_in_play(tb_slot(view, i))) view->now.eta[tb_slot_row(&model->rows, i)] = 0.0;
   }
   tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                    view->solve.warm.product);
@@ -131,7 +123,7 @@ static void fall_asleep(TbView *view) {
 static bool striker_in_flight(const TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = tb_slot(view, i);
-    if (slot->kind == TB_SLOT_PALM || (tb_slot_strikes(slot) && !slot->hold.held)) return true;
+    if (tb_slot_is_palm(slot) || (tb_slot_strikes(slot) && !slot->hold.held)) return true;
   }
   return false;
 }

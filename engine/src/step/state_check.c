@@ -83,7 +83,7 @@ static bool stick_end(const TaborModel *model, const TbState *state, uint32_t i)
   if (i >= TB_MUFFLERS || other >= TB_MUFFLERS || other == i) return false;
   const TbSlot *o = &state->strikers.slots[other];
   if (s->hold.held && (!s->on_hoop || !o->end.rests)) return false;
-  return o->kind == TB_SLOT_END && o->end.other == i && o->on_hoop != s->on_hoop &&
+  return tb_slot_is_end(o) && o->end.other == i && o->on_hoop != s->on_hoop &&
          o->end.bends == s->end.bends && o->end.grip == s->end.grip &&
          o->striker.definition == s->striker.definition && striker(model, state, i);
 }
@@ -131,7 +131,7 @@ static bool slots(const TaborModel *model, const TbState *state) {
     if (!slot_flags(&state->strikers.slots[i]) || !slot_numbers(&state->strikers.slots[i]))
       return false;
     if (!law_numbers(&state->strikers.laws[i]) || !slot_of_kind(model, state, i)) return false;
-    mask |= (state->strikers.slots[i].kind != TB_SLOT_FREE ? 1u : 0u) << i;
+    mask |= (tb_slot_in_play(&state->strikers.slots[i]) ? 1u : 0u) << i;
   }
   return mask == state->strikers.mask;
 }

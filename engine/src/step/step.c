@@ -85,7 +85,7 @@ static void free_penetration(TbView *view) {
   }
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
+    if (!tb_slot_in_play(tb_slot(view, i))) continue;
     const uint32_t row = tb_slot_row(&model->rows, i);
     const double head = tb_pool_displacement(view, i, view->next.q);
     double eta = head;
@@ -134,14 +134,14 @@ static void respond(TbView *view, bool unchanged) {
   if (!view->state->wires.lifted) respond_to_wires(view, unchanged);
   TB_STAGE(STRIKERS);
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (tb_slot(view, i)->kind == TB_SLOT_FREE) continue;
+    if (!tb_slot_in_play(tb_slot(view, i))) continue;
     const uint32_t row = tb_slot_row(&model->rows, i);
     if (force[row] != 0.0) {
       tb_pool_push(view, i, -force[row], view->next.q);
       tb_truncated_modes_press(tb_slot_truncated(view, i), force[row], view->next.truncated[i]);
     }
     view->next.z[i] = tb_hold_free_height(view, i) + view->contact_compliance[row] * force[row];
-    if (tb_slot(view, i)->kind == TB_SLOT_END) view->next.z[i] += tb_stick_pull(view, i);
+    if (tb_slot_is_end(tb_slot(view, i))) view->next.z[i] += tb_stick_pull(view, i);
     if (tb_slot(view, i)->end.bends) tb_stick_press(view, i, force[row]);
     view->last.eta[row] -= law_of_sum(view, i) * view->now.eta[row];
     view->next.eta[row] = view->last.eta[row] + view->s[row];

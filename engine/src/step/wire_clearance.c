@@ -29,6 +29,14 @@ static bool out_of_reach(const TbView *view) {
   return most < 0.5 * view->state->wires.gap;
 }
 
+bool tb_wires_have_own_tension(const TbView *view) {
+  const TbWires *wires = &view->model->wires;
+  for (uint32_t w = 0; w < wires->count; w++) {
+    if (view->state->wires.coefficients[w].tension != wires->wires[w].tension) return false;
+  }
+  return true;
+}
+
 static bool lie_still(const TbView *view) {
   const TbWires *wires = &view->model->wires;
   for (uint32_t i = 0; i < wires->node_count; i++) {
@@ -37,10 +45,7 @@ static bool lie_still(const TbView *view) {
   for (uint32_t row = 0; row < wires->stride; row++) {
     if (view->solve.warm.force[row] != 0.0) return false;
   }
-  for (uint32_t w = 0; w < wires->count; w++) {
-    if (view->state->wires.coefficients[w].tension != wires->wires[w].tension) return false;
-  }
-  return true;
+  return tb_wires_have_own_tension(view);
 }
 
 static void rest_phase(const TbView *view, TbPhase *phase) {

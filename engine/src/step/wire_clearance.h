@@ -25,4 +25,7 @@ void tb_wire_clearance_follow(TbView *view);
  * is moved. */
 void tb_wire_clearance_end(TbView *view);
 
+/* True if every wire has the tension that the definition gives it. */
+bool tb_wires_have_own_tension(const TbView *view);
+
 #endif

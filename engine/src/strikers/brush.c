@@ -41,7 +41,7 @@ static uint32_t slot_of(uint32_t brush, uint32_t group) {
 }
 
 static bool is_there(const TbView *view, uint32_t slot) {
-  return tb_slot(view, slot)->kind != TB_SLOT_FREE;
+  return tb_slot_in_play(tb_slot(view, slot));
 }
 
 /* Seed of a group's track, and of what else is drawn for it. */

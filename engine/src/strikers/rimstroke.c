@@ -88,8 +88,8 @@ static uint32_t find_palm(const TbView *view) {
   uint32_t free = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
-    if (s->kind == TB_SLOT_PALM) return i;
-    if (s->kind == TB_SLOT_FREE) free = i;
+    if (tb_slot_is_palm(s)) return i;
+    if (!tb_slot_in_play(s)) free = i;
   }
   return free;
 }

@@ -55,7 +55,7 @@ TbStickContacts tb_stick_across(const TaborDrumDef *def, const TbStick *stick, d
 /* The slot that has the state: the tip's, or that of a stick with one contact. */
 static uint32_t state_of(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
-  return s->kind == TB_SLOT_END && s->on_hoop ? s->end.other : slot;
+  return tb_slot_is_end(s) && s->on_hoop ? s->end.other : slot;
 }
 
 static bool has_state(const TbView *view, uint32_t slot) {
@@ -141,7 +141,7 @@ double tb_stick_loss(const TbView *view, uint32_t slot) {
 double tb_stick_motion(const TbView *view, uint32_t slot, const double *next, const double *now) {
   const TbSlot *s = tb_slot(view, slot);
   const double velocity = (next[slot] - now[slot]) * view->model->step_rate;
-  if (s->kind != TB_SLOT_END) return s->striker.mass * velocity * velocity;
+  if (!tb_slot_is_end(s)) return s->striker.mass * velocity * velocity;
   const uint32_t other = s->end.other;
   const double of_other = (next[other] - now[other]) * view->model->step_rate;
   const double mass = s->striker.mass, its = tb_slot(view, other)->striker.mass;

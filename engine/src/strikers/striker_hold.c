@@ -18,7 +18,7 @@ typedef struct Hand {
 static Hand hand_of(const TbView *view, const TbSlot *s) {
   if (!s->hold.held) return (Hand){0.0, 0.0, 0.0};
   const TaborDrumDef *def = &view->model->def;
-  if (s->kind == TB_SLOT_END) {
+  if (tb_slot_is_end(s)) {
     return (Hand){s->hold.press, 0.0, def->quality.losses ? s->hold.resistance : 0.0};
   }
   const double share = 2.0 * s->striker.part * view->state->live.values[TB_LIVE_GRIP].now;
@@ -29,14 +29,14 @@ static Hand hand_of(const TbView *view, const TbSlot *s) {
 double tb_hold_compliance(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   const double k = view->model->time_step;
-  if (s->kind == TB_SLOT_END) return tb_stick_compliance(view, slot, slot);
+  if (tb_slot_is_end(s)) return tb_stick_compliance(view, slot, slot);
   return k * k / (s->striker.mass + 0.5 * hand_of(view, s).damping * k);
 }
 
 double tb_hold_free_height(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   const double now = view->now.z[slot], last = view->last.z[slot];
-  if (s->kind == TB_SLOT_END) return tb_stick_free_height(view, slot);
+  if (tb_slot_is_end(s)) return tb_stick_free_height(view, slot);
   if (!s->hold.held) return 2.0 * now - last;
   const Hand hand = hand_of(view, s);
   const double k = view->model->time_step;

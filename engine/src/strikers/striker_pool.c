@@ -19,14 +19,14 @@ static const double PALM_LIFT_TIME = 0.1; /* [s], the last part of it */
 static const double HERTZ = 1.5;          /* round wood on a round edge */
 
 static bool in_play(const TbView *view, uint32_t slot) {
-  return tb_slot(view, slot)->kind != TB_SLOT_FREE;
+  return tb_slot_in_play(tb_slot(view, slot));
 }
 
 /* What two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
   const TbSlot *a = tb_slot(view, slot);
   double sum = 0.0;
-  const bool ends = a->kind == TB_SLOT_END && a->end.other == other;
+  const bool ends = tb_slot_is_end(a) && a->end.other == other;
   if (ends) sum += tb_stick_compliance(view, slot, other);
   if (a->end.bends && (slot == other || ends)) {
     sum += tb_stick_flexibility(view, slot, other);
@@ -159,12 +159,12 @@ static void find_place_on_head(TbView *view, uint32_t slot) {
   const TaborModel *model = view->model;
   TbSlot *s = tb_slot(view, slot);
   const bool hand = !tb_slot_strikes(s);
-  const double *patch = s->kind == TB_SLOT_PALM
+  const double *patch = tb_slot_is_palm(s)
                           ? model->palm_patch
                           : model->patches[hand ? TABOR_MAX_STRIKERS : s->striker.definition];
   double *shape = tb_slot_shape(view, slot);
   double *drive = view->high.scratch;
-  if (s->kind == TB_SLOT_BRISTLES) {
+  if (tb_slot_is_bristles(s)) {
     tb_brush_shapes_shape(model, s->striker.definition, s->radius, s->angle, shape, drive);
   } else {
     tb_model_shape(model, s->head, s->radius, s->angle, patch, view->strikers.radial, shape);
@@ -306,7 +306,7 @@ void tb_pool_muffle(TbView *view) {
       tb_pool_take_away(view, slot);
       continue;
     }
-    const bool there = s->kind == TB_SLOT_MUFFLER;
+    const bool there = tb_slot_is_muffler(s);
     const TbSlot hand = {.kind = TB_SLOT_MUFFLER,
                          .head = h,
                          .radius = sheet[h].muffle_radius,
@@ -339,7 +339,7 @@ uint32_t tb_pool_obtain(TbView *view) {
   uint32_t oldest = TB_SLOTS;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
-    if (s->kind == TB_SLOT_FREE) return i;
+    if (!tb_slot_in_play(s)) return i;
     if (!tb_slot_strikes(s) || (s->hold.held && !s->hold.leaving)) continue;
     if (!tb_pool_sounded(view, i) || tb_pool_touches(view, i)) continue;
     if (oldest == TB_SLOTS || s->serial < tb_slot(view, oldest)->serial) oldest = i;
@@ -422,14 +422,13 @@ static bool end_is_done(const TbView *view, uint32_t slot) {
 
 static bool is_done(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
-  if (s->kind == TB_SLOT_END && end_is_done(view, slot) && end_is_done(view, s->end.other))
-    return true;
+  if (tb_slot_is_end(s) && end_is_done(view, slot) && end_is_done(view, s->end.other)) return true;
   if (tb_pool_touches(view, slot)) return false;
   if (s->age > (uint64_t)(LINGER * view->model->step_rate)) {
     const double gap = -view->now.eta[tb_slot_row(&view->model->rows, slot)];
     return !s->hold.held || s->hold.leaving || gap > OUT_OF_HAND;
   }
-  return s->kind != TB_SLOT_END && is_leaving(view, slot);
+  return !tb_slot_is_end(s) && is_leaving(view, slot);
 }
 
 /* The hand on a cross-stick's shaft presses less and less, and takes the stick with it as the palm
@@ -463,7 +462,7 @@ static void age_striker(TbView *view, uint32_t slot) {
   TbSlot *s = tb_slot(view, slot);
   s->age++;
   if (row_touches(view, slot)) s->striker.sounded = 1;
-  if (s->hold.held && s->kind == TB_SLOT_END) {
+  if (s->hold.held && tb_slot_is_end(s)) {
     relax_shaft(view, slot);
     return;
   }
@@ -477,7 +476,7 @@ void tb_pool_retire(TbView *view) {
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     TbSlot *s = &state->strikers.slots[i];
     if (tb_slot_strikes(s)) age_striker(view, i);
-    if (s->kind != TB_SLOT_PALM) continue;
+    if (!tb_slot_is_palm(s)) continue;
     s->age++;
     relax_palm(view, i);
   }

@@ -27,9 +27,9 @@ static double mass_of(const TbView *view, const TbStroke *stroke) {
  * drum; TB_SLOTS if none presses it. */
 static uint32_t pressed_slot(const TbView *view, uint32_t i) {
   const TbSlot *slots = view->state->strikers.slots;
-  const bool is_tip = slots[i].kind == TB_SLOT_END && !slots[i].on_hoop;
+  const bool is_tip = tb_slot_is_end(&slots[i]) && !slots[i].on_hoop;
   const uint32_t at = is_tip ? slots[i].end.other : i;
-  return slots[at].kind != TB_SLOT_BRISTLES && slots[at].hold.held ? at : TB_SLOTS;
+  return !tb_slot_is_bristles(&slots[at]) && slots[at].hold.held ? at : TB_SLOTS;
 }
 
 /* A pressed stick that touches is lifted, everything else is gone at once. */
@@ -102,7 +102,7 @@ bool tb_press(TbView *view, uint32_t id, double pressure) {
   bool found = tb_brush_press(view, id, pressure);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
-    if (s->kind != TB_SLOT_TIP || (id != 0 && s->id != id)) continue;
+    if (!tb_slot_is_tip(s) || (id != 0 && s->id != id)) continue;
     if (s->on_hoop || s->hold.leaving) continue;
     tb_hold(view, i, tb_hold_force(pressure));
     found = true;
@@ -113,7 +113,7 @@ bool tb_press(TbView *view, uint32_t id, double pressure) {
 static uint32_t find_hand(const TbView *view, uint32_t id) {
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
-    if (s->kind == TB_SLOT_HAND && s->id == id) return i;
+    if (tb_slot_is_hand(s) && s->id == id) return i;
   }
   return TB_SLOTS;
 }
@@ -136,6 +136,6 @@ void tb_release(TbView *view, uint32_t id) {
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
-    if (s->kind != TB_SLOT_FREE && !s->hold.leaving && (id == 0 || s->id == id)) let_go(view, i);
+    if (tb_slot_in_play(s) && !s->hold.leaving && (id == 0 || s->id == id)) let_go(view, i);
   }
 }

@@ -35,7 +35,7 @@ static void *work(void *context) {
   }
 }
 
-/* Where the system gives no thread, fewer do, or this one. */
+/* If the system refuses further threads, those that run do all the work, or this thread does. */
 static void build_all(Builds *builds, uint32_t most) {
   pthread_t threads[TABOR_KIT_DRUMS];
   uint32_t count = 0;

@@ -99,7 +99,7 @@ static void deactivate(LV2_Handle handle) {
 
 /* ---- knobs and files ------------------------------------------------------------------------ */
 
-/* What is no number leaves the knob where it is: at first at its default. */
+/* A port that holds no number leaves the knob where it is, at first at its default. */
 static void read_knobs(Instance *instance) REALTIME {
   Instrument *const instrument = instance->instrument;
   for (uint32_t i = 0; i < instrument->kind->knob_count; i++) {

@@ -152,7 +152,7 @@ static void hold(MidiToEvents *drum, uint8_t key, TaborEvent *event) {
   event->value = BUZZ_PRESSURE;
 }
 
-/* As loud as a note is a sweep fast. */
+/* The louder the note, the faster the sweep. */
 static void sweep(MidiToEvents *drum, uint8_t key, double velocity, TaborEvent *event) {
   hold(drum, key, event);
   drum->sweeping = key;

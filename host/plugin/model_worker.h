@@ -30,8 +30,8 @@
 
 /** The wanted drum. What has not been turned is as in the definition. */
 typedef struct Request {
-  /** Starts at 1 and grows with every request for another model. A number that was answered already
-      asks the worker only to free what is not needed any more. */
+  /** Starts at 1 and grows with every request for another model. If it was answered already,
+      the worker only frees what is not needed any more. */
   uint32_t number;
   uint32_t restoration;      /**< number of the restoration that the other fields refer to */
   int32_t program;           /**< index of a built-in preset, or MODEL_WORKER_NO_PROGRAM */

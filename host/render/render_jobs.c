@@ -85,7 +85,7 @@ static void watch(Jobs *jobs) {
   if (shows) status_line("");
 }
 
-/* Where the system gives no thread, fewer do, or this one. */
+/* If the system refuses further threads, those that run do all the work, or this thread does. */
 static void do_jobs(Jobs *jobs) {
   const RenderBatch *const batch = jobs->batch;
   pthread_t threads[MOST_JOBS];

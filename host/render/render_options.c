@@ -121,7 +121,7 @@ static Outcome add_mic(RenderRequest *request, const char *name) {
   return OUTCOME_OK;
 }
 
-/* Of a log those that were played; else the first; with --split all of them. */
+/* A log has the microphones that were played. Otherwise the first is taken, with --split all. */
 static Outcome take_default_mics(RenderRequest *request) {
   const LogStart *const start = &request->replay.start;
   const uint32_t count = request->def.mic_count;

@@ -96,7 +96,7 @@ static void add_stretch(TbSolve *solve, const float *grid, float *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   TbSolveWorkF *work = &solve->workf;
   const uint32_t size = solve->in.wire_gridf->size;
-  float along[2] = {0.0f, 0.0f};
+  float along[TB_COUPLINGS] = {0.0f, 0.0f};
   for (uint32_t h = 0; h < solve->in.stretch_count; h++) {
     along[h] = kernels->dot(size, work->stretch[h], grid);
   }

@@ -4,7 +4,7 @@
 void tb_solve_stretch(const TbContacts *in, const double *pushed, const double *slots,
                       double *answer, double *out) {
   const uint32_t size = in->wire_grid->size;
-  double along[2] = {0.0, 0.0};
+  double along[TB_COUPLINGS] = {0.0, 0.0};
   for (uint32_t h = 0; h < in->stretch_count; h++) {
     along[h] = in->kernels->dot(size, in->stretch_grid[h], pushed) +
                in->kernels->dot(TB_SLOTS, in->stretch_slots[h], slots);

@@ -58,8 +58,8 @@ typedef struct TbContacts {
   const TbContactLaw *wire_laws, *slot_laws;
   /* Stretching heads reduce M to M - r^T W r (stretch.h). r on the grid and at the slots. */
   uint32_t stretch_count;
-  double *stretch_grid[2], stretch_weight[2][2];
-  _Alignas(64) double stretch_slots[2][TB_SLOTS];
+  double *stretch_grid[TB_COUPLINGS], stretch_weight[TB_COUPLINGS][TB_COUPLINGS];
+  _Alignas(64) double stretch_slots[TB_COUPLINGS][TB_SLOTS];
   const double *b, *y; /* [rows] */
 } TbContacts;
 

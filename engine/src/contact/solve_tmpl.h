@@ -12,7 +12,7 @@ typedef struct TB_TYPE(TbSolveWork) {
   TB_REAL *scratch;                            /* [tb_wire_grid_scratch] */
 #if TB_REAL_IS_FLOAT
   float *b, *y, *root, *contact_compliance, *before; /* [rows] */
-  float *yield;      /* [rows]: contact_compliance and the head's right below */
-  float *stretch[2]; /* [grid size] */
+  float *yield;                 /* [rows]: contact_compliance and the head's right below */
+  float *stretch[TB_COUPLINGS]; /* [grid size] */
 #endif
 } TB_TYPE(TbSolveWork);

@@ -9,8 +9,9 @@
 #include "wires/wire_motion.h"
 
 /* W = P S2/2, S2 = (1 + A P/2)^-1 for symmetric A = Y^T g Y. */
-static void weigh(uint32_t count, double a[2][2], const double *factor, double weight[2][2]) {
-  double n[2][2] = {{1.0, 0.0}, {0.0, 1.0}};
+static void weigh(uint32_t count, double a[TB_COUPLINGS][TB_COUPLINGS], const double *factor,
+                  double weight[TB_COUPLINGS][TB_COUPLINGS]) {
+  double n[TB_COUPLINGS][TB_COUPLINGS] = {{1.0, 0.0}, {0.0, 1.0}};
   for (uint32_t h = 0; h < count; h++) {
     for (uint32_t l = 0; l < count; l++) n[h][l] += 0.5 * a[h][l] * factor[l];
   }
@@ -22,7 +23,7 @@ static void weigh(uint32_t count, double a[2][2], const double *factor, double w
 }
 
 /* P theta of head h, where Y^T (x + q-) is `along`. */
-static double tension(const TbView *view, uint32_t h, const double along[2]) {
+static double tension(const TbView *view, uint32_t h, const double along[TB_COUPLINGS]) {
   const double *w = view->solve.in.stretch_weight[h];
   return w[0] * along[0] + w[1] * along[1];
 }
@@ -32,7 +33,7 @@ static double tension(const TbView *view, uint32_t h, const double along[2]) {
 static void prepare_slots(TbView *view) {
   const TaborModel *model = view->model;
   const TbStretch *stretch = &model->stretch;
-  const double *const pull[2] = {view->stretch.pull[0], view->stretch.pull[1]};
+  const double *const pull[TB_COUPLINGS] = {view->stretch.pull[0], view->stretch.pull[1]};
   memset(view->solve.in.stretch_slots, 0, sizeof view->solve.in.stretch_slots);
   for (uint32_t slot = 0; view->state->strikers.mask >> slot; slot++) {
     if (!tb_slot_in_play(tb_slot(view, slot))) continue;
@@ -61,7 +62,7 @@ static void prepare_grid(TbView *view) {
 static void mix(const TbView *view, const double *q) {
   const TaborModel *model = view->model;
   void (*const mixes[])(const TbMixing *mixing, const TbParts *moving, const double *x,
-                        double *const out[2]) = {
+                        double *const out[TB_COUPLINGS]) = {
     [TB_IN_DOUBLE] = model->kernels->mix, [TB_IN_FLOAT] = model->kernelsf->mix};
   mixes[model->precision](&model->stretch.mixing, &view->moving, q, view->stretch.mixed);
 }
@@ -224,7 +225,7 @@ void tb_stretch_free(TbView *view) {
 
 void tb_stretch_yield(TbView *view, double *slots) {
   const TaborModel *model = view->model;
-  double along[2] = {0.0};
+  double along[TB_COUPLINGS] = {0.0};
   for (uint32_t i = 0; i < TB_SLOTS; i++) slots[i] = 0.0;
   for (uint32_t h = 0; h < view->stretch.count; h++) {
     along[h] = view->stretch.along[h] + view->stretch.rest[h];
@@ -263,7 +264,7 @@ static double pushed_along(const TbView *view, uint32_t h) {
 
 void tb_stretch_respond(TbView *view) {
   const TaborModel *model = view->model;
-  double pushed[2] = {0.0}, along[2] = {0.0};
+  double pushed[TB_COUPLINGS] = {0.0}, along[TB_COUPLINGS] = {0.0};
   for (uint32_t h = 0; h < view->stretch.count; h++) {
     pushed[h] = pushed_along(view, h);
     along[h] = view->stretch.along[h] - (model->wires.side * pushed[h] - view->stretch.rest[h]);

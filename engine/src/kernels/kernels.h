@@ -52,26 +52,31 @@ typedef struct TbMixing {
   TbMixingBlock *block;
 } TbMixing;
 
+/* Scalars that are quadratic in the modes and so couple them, at most: the stretch of each head
+ * (heads/stretch.h). Their forces take part in the solve as a matrix of this rank, which is
+ * inverted in closed form. */
+#define TB_COUPLINGS 2u
+
 /* Heads that stretch, one or two (stretch.h). A part whose modes stretch one head leaves the
  * other's pull alone. */
 typedef struct TbStretching {
-  const double *a, *b;                  /* [modes], as all arrays: of the two-step recursion */
-  const double *gain[2], *g, *q, *last; /* q at the present instant */
-  const double *mixed[2];               /* G q off G's diagonal */
-  double *next;                         /* read, or written: see the kernels */
-  double *pull[2];                      /* out */
-  double along[2], own[2][2];           /* out */
+  const double *a, *b; /* [modes], as all arrays: of the two-step recursion */
+  const double *gain[TB_COUPLINGS], *g, *q, *last; /* q at the present instant */
+  const double *mixed[TB_COUPLINGS];               /* G q off G's diagonal */
+  double *next;                                    /* read, or written: see the kernels */
+  double *pull[TB_COUPLINGS];                      /* out */
+  double along[TB_COUPLINGS], own[TB_COUPLINGS][TB_COUPLINGS]; /* out */
 } TbStretching;
 
 /* The end of a step of the modes: what heads' stretching adds, what the modes have lost then, by
  * origin, and what one microphone hears of them. */
 typedef struct TbModesEnd {
   bool stretched;
-  uint32_t origins;                                        /* 2 or 3 */
-  const double *pull[2], *last, *loss[3], *ahead, *behind; /* [modes] */
-  double stretch[2], *next; /* next is changed by stretch[h] pull[h] */
-  double lost[3];           /* out */
-  TbPair heard;             /* out */
+  uint32_t origins;                                                   /* 2 or 3 */
+  const double *pull[TB_COUPLINGS], *last, *loss[3], *ahead, *behind; /* [modes] */
+  double stretch[TB_COUPLINGS], *next; /* next is changed by stretch[h] pull[h] */
+  double lost[3];                      /* out */
+  TbPair heard;                        /* out */
 } TbModesEnd;
 
 /* Consecutive modes of the high band, up to `end`. */

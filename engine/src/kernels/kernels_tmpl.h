@@ -13,8 +13,8 @@ typedef struct TB_TYPE(TbGather) {
 #if !TB_REAL_IS_FLOAT
   const float *rounded; /* in place of `matrix`, for `gemm_rounded` */
 #endif
-  const TB_REAL *x[2];
-  double *out[2];
+  const TB_REAL *x[TB_COUPLINGS];
+  double *out[TB_COUPLINGS];
 } TB_TYPE(TbGather);
 
 /* A step of the high band and the signal of one microphone (mic_output.h). Arrays are [modes].
@@ -107,7 +107,8 @@ typedef struct TB_TYPE(TbKernels) {
   void (*gemm)(const TB_TYPE(TbGather) * gather);
   /* out[h] = G q of head h off the diagonal, at the modes of the blocks that move; others of `q`
    * are 0. */
-  void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q, double *const out[2]);
+  void (*mix)(const TbMixing *mixing, const TbParts *moving, const double *q,
+              double *const out[TB_COUPLINGS]);
   /* next = a now - b last + share push, then next += held (last - next). Returns Sum ahead next and
    * Sum behind next. */
   TbPair (*resonate)(const TB_TYPE(TbRing) * ring);
@@ -204,7 +205,8 @@ typedef struct TB_TYPE(TbKernels) {
   void (*stretch)(const TbParts *parts, TbStretching *stretching);
   void (*step_and_stretch)(const TbParts *parts, TbStretching *stretching);
   /* Sum pull_h x, of the modes that stretch head h */
-  TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[2], const double *x);
+  TbPair (*stretch_dots)(const TbParts *parts, const double *const pull[TB_COUPLINGS],
+                         const double *x);
   /* next += stretch_0 pull_0 + stretch_1 pull_1, of the heads that a part stretches; then `losses`,
    * and Sum ahead next and Sum behind next. */
   void (*end_modes)(const TbParts *parts, TbModesEnd *end);

@@ -38,7 +38,7 @@ static INLINE Lanes stretch_of(bool mixed, const TbStretching *s, uint32_t head,
 
 /* Modes that stretch both heads. */
 static INLINE void stretch_both(bool steps, bool mixed, uint64_t from, uint64_t end,
-                                const TbStretching *out, Lanes along[2], Lanes own[3]) {
+                                const TbStretching *out, Lanes along[TB_COUPLINGS], Lanes own[3]) {
   const TbStretching s = *out;
   Lanes a0 = along[0], a1 = along[1], o0 = own[0], o1 = own[1], cross = own[2];
   for (uint64_t i = from; i < end; i += 8) {
@@ -83,7 +83,7 @@ static INLINE void stretch_none(bool steps, uint64_t from, uint64_t end, const T
 }
 
 static INLINE void stretch_parts(bool steps, const TbParts *parts, TbStretching *s) {
-  Lanes along[2] = {zero(), zero()}, own[3] = {zero(), zero(), zero()};
+  Lanes along[TB_COUPLINGS] = {zero(), zero()}, own[3] = {zero(), zero(), zero()};
   for (uint32_t part = 0; part < parts->count; part++) {
     const uint64_t from = parts->from[part], end = from + parts->size[part];
     const uint64_t middle = from + parts->mixed[part];
@@ -118,7 +118,8 @@ static INLINE Lanes dot_of_part(uint64_t from, uint64_t end, const double *pull,
   return sum;
 }
 
-static TbPair stretch_dots(const TbParts *parts, const double *const pull[2], const double *x) {
+static TbPair stretch_dots(const TbParts *parts, const double *const pull[TB_COUPLINGS],
+                           const double *x) {
   const double *const u = pull[0], *const v = pull[1];
   Lanes first = zero(), second = zero();
   for (uint32_t part = 0; part < parts->count; part++) {

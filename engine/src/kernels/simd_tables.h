@@ -187,7 +187,7 @@ static INLINE uint32_t up_to_zeros(uint32_t n, const Real *x) {
 }
 
 static void mix(const TbMixing *mixing, const TbParts *moving, const double *q,
-                double *const out[2]) {
+                double *const out[TB_COUPLINGS]) {
   _Alignas(64) Real x[TB_MIXING_MOST], y[2 * TB_MIXING_MOST];
   for (uint32_t b = 0; b < mixing->count; b++) {
     const TbMixingBlock block = mixing->block[b];

@@ -54,13 +54,13 @@ typedef struct TbRest {
 
 /* Data of the heads' stretching, see stretch.h. */
 typedef struct TbStretch {
-  uint32_t count;         /* heads that stretch */
-  uint32_t head[2];       /* which */
-  TbParts parts;          /* the modes that stretch, of each group first (modes.h) */
-  TbParts felt[TB_HEADS]; /* the parts among tb_modes_of_head() of each head */
-  double *gain[2];        /* [padded] G, diagonal, of each head [1/kg] */
-  double factor[2];       /* S/2A [N/m3] */
-  double least[2];        /* rise of tension that counts [N/m] */
+  uint32_t count;              /* heads that stretch */
+  uint32_t head[TB_COUPLINGS]; /* which */
+  TbParts parts;               /* the modes that stretch, of each group first (modes.h) */
+  TbParts felt[TB_HEADS];      /* the parts among tb_modes_of_head() of each head */
+  double *gain[TB_COUPLINGS];  /* [padded] G, diagonal, of each head [1/kg] */
+  double factor[TB_COUPLINGS]; /* S/2A [N/m3] */
+  double least[TB_COUPLINGS];  /* rise of tension that counts [N/m] */
   uint32_t hold; /* steps without such a rise after which heads are linear; UINT32_MAX: never */
   TbMixing mixing;
 } TbStretch;

@@ -78,7 +78,8 @@ void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q
 }
 
 void tb_project_parts(const TbProjection *p, const TbKernels *kernels, const TbParts *parts,
-                      uint32_t vectors, double *const q[2], double *const grid[2]) {
+                      uint32_t vectors, double *const q[TB_COUPLINGS],
+                      double *const grid[TB_COUPLINGS]) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
     TbGather gather = {.vectors = vectors,

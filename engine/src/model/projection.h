@@ -42,8 +42,8 @@ void tb_project(const TbProjection *projection, const TbKernels *kernels, const 
 
 /* Computes the same from the modes of `parts` alone, for one or two vectors. Audio-safe. */
 void tb_project_parts(const TbProjection *projection, const TbKernels *kernels,
-                      const TbParts *parts, uint32_t vectors, double *const q[2],
-                      double *const grid[2]);
+                      const TbParts *parts, uint32_t vectors, double *const q[TB_COUPLINGS],
+                      double *const grid[TB_COUPLINGS]);
 
 /* Computes modal forces of the coupled modes, modal[group[groups]], from grid[size]. Audio-safe. */
 void tb_project_forces(const TbProjection *projection, const TbKernels *kernels, const double *grid,

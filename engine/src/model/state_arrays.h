@@ -43,9 +43,11 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
   ARRAY(high_steady, TB_FLOATS, 1, 1, model->high.padded / 2u, high.steady)                        \
   ARRAY(high_turn, TB_HIGH_REALS, 1, 1, model->high.padded, high.turn)                             \
   ARRAY(high_taken, TB_HIGH_REALS, 1, 1, model->high.padded, high.taken)                           \
-  ARRAY(stretch_pull, TB_DOUBLES, 2, model->stretch.count, TB_STATE_MODES, stretch.pull[copy])     \
-  ARRAY(stretch_mixed, TB_DOUBLES, 2, model->stretch.count, TB_STATE_MODES, stretch.mixed[copy])   \
-  ARRAY(stretch_grid, TB_DOUBLES, 2, model->stretch.count, TB_STATE_GRID,                          \
+  ARRAY(stretch_pull, TB_DOUBLES, TB_COUPLINGS, model->stretch.count, TB_STATE_MODES,              \
+        stretch.pull[copy])                                                                        \
+  ARRAY(stretch_mixed, TB_DOUBLES, TB_COUPLINGS, model->stretch.count, TB_STATE_MODES,             \
+        stretch.mixed[copy])                                                                       \
+  ARRAY(stretch_grid, TB_DOUBLES, TB_COUPLINGS, model->stretch.count, TB_STATE_GRID,               \
         solve.in.stretch_grid[copy])                                                               \
   ARRAY(stretch_carry, TB_DOUBLES, 1, 1, TB_STATE_GRID + TB_SLOTS, stretch.carry)                  \
   ARRAY(coupling, TB_DOUBLES, 1, 1, (size_t)TB_SLOTS *TB_STATE_GRID, strikers.coupling)            \

@@ -43,12 +43,13 @@ static TbSolveWork work_at(TbState *state, const TaborModel *model) {
   return work;
 }
 
-static TbSolveWorkF no_workf_at(TbState *state, const TaborModel *model, float *modal[2]) {
+static TbSolveWorkF no_workf_at(TbState *state, const TaborModel *model,
+                                float *modal[TB_COUPLINGS]) {
   (void)state, (void)model, (void)modal;
   return (TbSolveWorkF){.s = NULL};
 }
 
-static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *modal[2]) {
+static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *modal[TB_COUPLINGS]) {
   TbSolveWorkF work = {.s = NULL};
   float *next = at(state, model->layout.workf[0]);
   float **const rows[TB_WORKF_ROWS] = {
@@ -86,8 +87,8 @@ static TbContacts contacts_of(TbState *state, const TaborModel *model) {
                       .slot_laws = state->strikers.laws};
 }
 
-static TbSolve solve_at(TbState *state, const TaborModel *model, float *modal[2]) {
-  static TbSolveWorkF (*const WORKF[])(TbState *, const TaborModel *, float *[2]) = {
+static TbSolve solve_at(TbState *state, const TaborModel *model, float *modal[TB_COUPLINGS]) {
+  static TbSolveWorkF (*const WORKF[])(TbState *, const TaborModel *, float *[TB_COUPLINGS]) = {
     [TB_IN_DOUBLE] = no_workf_at, [TB_IN_FLOAT] = workf_at};
   return (TbSolve){.in = contacts_of(state, model),
                    .work = work_at(state, model),

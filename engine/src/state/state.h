@@ -63,10 +63,10 @@ typedef struct TbView {
   double *head;      /* [rows] the head's displacement under the wires' points [m] */
   double *rest_load; /* [rows] part of b that the load at rest causes [m] */
   double *contact_compliance, *b, *s; /* [rows] see solve.h */
-  double *change, *modal; /* contact forces counted from rest, on the grid and on the modes */
-  float *modalf[2];       /* [modes padded] where contacts are of single precision */
-  TbModesEnd end;         /* of the last pass over the modes: see step.c */
-  TbIncident incident;    /* see incident_sound.h */
+  double *change, *modal;      /* contact forces counted from rest, on the grid and on the modes */
+  float *modalf[TB_COUPLINGS]; /* [modes padded] where contacts are of single precision */
+  TbModesEnd end;              /* of the last pass over the modes: see step.c */
+  TbIncident incident;         /* see incident_sound.h */
   TbStrikerView strikers;
   TbStretchView stretch;
   TbHighBandView high;

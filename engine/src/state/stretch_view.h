@@ -6,12 +6,13 @@
 #include "model/model.h"
 
 typedef struct TbStretchView {
-  double *pull[2];          /* [modes padded]: see stretch.h */
-  double *mixed[2];         /* [modes padded] G q off G's diagonal */
-  double *carry;            /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
-  double along[2], rest[2]; /* Y^T (x + q-), and the effect of rest forces on it */
-  uint32_t count;           /* heads that stretch in this step: all that can, or none */
-  TbStretching sums;        /* of this sample, if `summed` */
+  double *pull[TB_COUPLINGS];  /* [modes padded]: see stretch.h */
+  double *mixed[TB_COUPLINGS]; /* [modes padded] G q off G's diagonal */
+  double *carry;               /* [grid size + TB_SLOTS]: part of `product` due to past stretch */
+  double along[TB_COUPLINGS],
+    rest[TB_COUPLINGS]; /* Y^T (x + q-), and the effect of rest forces on it */
+  uint32_t count;       /* heads that stretch in this step: all that can, or none */
+  TbStretching sums;    /* of this sample, if `summed` */
   bool summed;
 } TbStretchView;
 

@@ -15,7 +15,6 @@
 #include "step/reset.h"
 #include "step/state_check.h"
 #include "step/wire_clearance.h"
-#include "strikers/brush.h"
 #include "strikers/stick.h"
 #include "strikers/strokes.h"
 #include "wires/pluck.h"
@@ -77,8 +76,8 @@ static bool damp(TbView *view, const TaborEvent *event) {
 }
 
 static bool move(TbView *view, const TaborEvent *event) {
-  return tb_brush_move(view, event->id, place_radius(view, event->radius),
-                       place_angle(event->angle), clamp(event->value, 0.0, 60.0));
+  return tb_move(view, event->id, place_radius(view, event->radius), place_angle(event->angle),
+                 clamp(event->value, 0.0, 60.0));
 }
 
 /* True if the event was carried out. A drum that sleeps wakes up; one that is played is heard. */
@@ -337,13 +336,7 @@ void tabor_drum_reset(TaborDrum *drum) {
 
 void tabor_drum_statistics(const TaborDrum *drum, TaborStatistics *statistics) {
   *statistics = drum->state->ledger.statistics;
-  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
-    const TbSlot *slot = &drum->state->strikers.slots[i];
-    const bool counted = tb_slot_is_end(slot) && slot->end.other < i; /* with that end */
-    statistics->in_play += tb_slot_in_play(slot) && !counted;
-  }
-  for (uint32_t i = 0; i < TB_BRUSHES; i++)
-    statistics->in_play += drum->state->strikers.brushes[i].active;
+  statistics->in_play += tb_strikers_in_play(drum->state);
 }
 
 void tabor_drum_ledger(const TaborDrum *drum, TaborLedger *ledger) {

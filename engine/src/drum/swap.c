@@ -26,6 +26,7 @@
 #include "step/live_params.h"
 #include "strikers/stick.h"
 #include "strikers/striker_pool.h"
+#include "strikers/strokes.h"
 #include "wires/wire_motion.h"
 
 static const double RING_OUT = 0.03; /* [s] */
@@ -175,14 +176,8 @@ static void carry_wires(const TbView *from, TbView *to, double ratio) {
   }
 }
 
-/* As many steps as take the same time, at least one if there were any. */
-static uint32_t steps_left(uint32_t left, double ratio) {
-  const uint32_t steps = (uint32_t)(left / ratio);
-  return left > 0 && steps == 0 ? 1 : steps;
-}
-
 static TbLiveParam at_steps(TbLiveParam live, double ratio) {
-  live.left = steps_left(live.left, ratio);
+  live.left = tb_steps_left(live.left, ratio);
   live.step *= ratio;
   return live;
 }
@@ -233,26 +228,8 @@ static void carry_bending(const TbView *from, TbView *to, uint32_t slot, double 
   tb_stick_carry(tb_stick_body(from, slot), tb_stick_body(to, slot), ratio, now, last);
 }
 
-/* A striker that the other model has, and a brush if it is one. */
-static bool is_known(const TaborModel *model, const TbSlot *slot) {
-  const TaborStrikerDef *striker = &model->def.striker[slot->striker.definition];
-  if (slot->striker.definition >= model->def.striker_count) return false;
-  return !tb_slot_is_bristles(slot) || striker->kind == TABOR_STRIKER_BRUSH;
-}
-
-/* Its paths are per step, and its times in steps. */
-static TbBrush brush_at_steps(TbBrush brush, uint64_t clock, double ratio) {
-  if (ratio == 1.0) return brush;
-  double *const paths[] = {&brush.along, &brush.around, &brush.dx, &brush.dy, &brush.slide};
-  for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) *paths[i] *= ratio;
-  brush.left = steps_left(brush.left, ratio);
-  brush.lifting = steps_left(brush.lifting, ratio);
-  brush.moved = clock - (uint64_t)((double)(clock - brush.moved) / ratio);
-  return brush;
-}
-
 static TbSlot slot_at_steps(TbSlot slot, double ratio) {
-  slot.hold.leaving = steps_left(slot.hold.leaving, ratio);
+  slot.hold.leaving = tb_steps_left(slot.hold.leaving, ratio);
   slot.age = (uint64_t)((double)slot.age / ratio);
   return slot;
 }
@@ -261,14 +238,11 @@ static void carry_slots(const TbView *from, TbView *to, double ratio) {
   const bool same = from->model->fingerprint == to->model->fingerprint;
   const uint32_t first = to->model->wires.stride;
   to->state->strikers.serial = from->state->strikers.serial;
-  for (uint32_t b = 0; b < TB_BRUSHES; b++) {
-    to->state->strikers.brushes[b] =
-      brush_at_steps(from->state->strikers.brushes[b], from->state->clock, ratio);
-  }
+  tb_hands_carry(from, to, ratio);
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = tb_slot(from, i);
-    const bool muffles = i >= TB_MUFFLERS && i < TB_BRISTLES;
-    if (!tb_slot_in_play(slot) || muffles || !is_known(to->model, slot)) continue;
+    if (!tb_slot_in_play(slot) || tb_slot_is_muffler(slot)) continue;
+    if (!tb_striker_is_known(to->model, slot)) continue;
     *tb_slot(to, i) = slot_at_steps(*slot, ratio);
     to->state->strikers.mask |= 1u << i;
     to->now.z[i] = from->now.z[i];

@@ -94,6 +94,12 @@ static inline double tb_step_ago(double now, double last, double ratio) {
   return ratio == 1.0 ? last : now - ratio * (now - last);
 }
 
+/* As many steps as take the same time, at least one if there were any. */
+static inline uint32_t tb_steps_left(uint32_t left, double ratio) {
+  const uint32_t steps = (uint32_t)(left / ratio);
+  return left > 0 && steps == 0 ? 1 : steps;
+}
+
 /* cos(m t) or sin(m t) from sin t, cos t. Audio-safe; exact zeros stay exact. */
 double tb_angular(uint32_t m, bool sine, double sin_angle, double cos_angle);
 

@@ -12,8 +12,8 @@
 #include "step/energy.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
-#include "strikers/brush.h"
 #include "strikers/striker_pool.h"
+#include "strikers/strokes.h"
 #include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
@@ -198,7 +198,7 @@ void tb_sleep_check(TbView *view) {
   tb_wire_motion_of(view)->settle(view);
   const bool still = motion < silent_energy(view->model) || dies_away_unheard(view);
   const bool quiet = still && !striker_in_flight(view) && !parameter_moves(state) &&
-                     !tb_brush_moves(state) && !tb_pluck_acts(state);
+                     !tb_hands_move(state) && !tb_pluck_acts(state);
   state->quiet_checks = quiet ? state->quiet_checks + 1 : 0;
   if (state->quiet_checks >= SILENT_CHECKS) fall_asleep(view);
 }

@@ -16,10 +16,10 @@
 #include "step/energy_guard.h"
 #include "step/live_params.h"
 #include "step/wire_clearance.h"
-#include "strikers/brush.h"
 #include "strikers/stick.h"
 #include "strikers/striker_hold.h"
 #include "strikers/striker_pool.h"
+#include "strikers/strokes.h"
 #include "wires/pluck.h"
 #include "wires/wire_motion.h"
 
@@ -235,7 +235,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
    * last.eta, ledger */
   tb_live_params_step(view);
   TB_STAGE(STRIKERS);
-  tb_brush_step(view);      /* brushes -> places of their slots, now.eta, last.eta, ledger */
+  tb_hands_step(view);      /* brushes -> places of their slots, now.eta, last.eta, ledger */
   free_motion(view);        /* now, last -> next: q, v, bow */
   tb_incident_push(view);   /* sound from outside -> next.q */
   tb_lug_forces_pull(view); /* now.q -> next.q */

@@ -364,3 +364,27 @@ bool tb_brush_moves(const TbState *state) {
   }
   return false;
 }
+
+uint32_t tb_brush_count(const TbState *state) {
+  uint32_t count = 0;
+  for (uint32_t b = 0; b < TB_BRUSHES; b++) count += state->strikers.brushes[b].active;
+  return count;
+}
+
+/* Its paths are per step, and its times in steps. */
+static TbBrush brush_at_steps(TbBrush brush, uint64_t clock, double ratio) {
+  if (ratio == 1.0) return brush;
+  double *const paths[] = {&brush.along, &brush.around, &brush.dx, &brush.dy, &brush.slide};
+  for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) *paths[i] *= ratio;
+  brush.left = tb_steps_left(brush.left, ratio);
+  brush.lifting = tb_steps_left(brush.lifting, ratio);
+  brush.moved = clock - (uint64_t)((double)(clock - brush.moved) / ratio);
+  return brush;
+}
+
+void tb_brush_carry(const TbView *from, TbView *to, double ratio) {
+  for (uint32_t b = 0; b < TB_BRUSHES; b++) {
+    to->state->strikers.brushes[b] =
+      brush_at_steps(from->state->strikers.brushes[b], from->state->clock, ratio);
+  }
+}

@@ -62,6 +62,10 @@ bool tb_brush_press(TbView *view, uint32_t id, double pressure);
 void tb_brush_release(TbView *view, uint32_t id);
 /* Moves the brushes by one sample. Call before the step. */
 void tb_brush_step(TbView *view);
+/* Brushes in play. */
+uint32_t tb_brush_count(const TbState *state);
+/* Continues the brushes of a drum on another one, whose steps are `ratio` times as long. */
+void tb_brush_carry(const TbView *from, TbView *to, double ratio);
 /* True if a hand moves some brush, or is about to. */
 bool tb_brush_moves(const TbState *state);
 

@@ -139,3 +139,33 @@ void tb_release(TbView *view, uint32_t id) {
     if (tb_slot_in_play(s) && !s->hold.leaving && (id == 0 || s->id == id)) let_go(view, i);
   }
 }
+
+bool tb_move(TbView *view, uint32_t id, double radius, double angle, double seconds) {
+  return tb_brush_move(view, id, radius, angle, seconds);
+}
+
+void tb_hands_step(TbView *view) { tb_brush_step(view); }
+
+bool tb_hands_move(const TbState *state) { return tb_brush_moves(state); }
+
+/* ---- what is in play ------------------------------------------------------------------------ */
+
+void tb_hands_carry(const TbView *from, TbView *to, double ratio) {
+  tb_brush_carry(from, to, ratio);
+}
+
+bool tb_striker_is_known(const TaborModel *model, const TbSlot *slot) {
+  const TaborStrikerDef *striker = &model->def.striker[slot->striker.definition];
+  if (slot->striker.definition >= model->def.striker_count) return false;
+  return !tb_slot_is_bristles(slot) || striker->kind == TABOR_STRIKER_BRUSH;
+}
+
+uint32_t tb_strikers_in_play(const TbState *state) {
+  uint32_t count = tb_brush_count(state);
+  for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
+    const TbSlot *slot = &state->strikers.slots[i];
+    const bool counted = tb_slot_is_end(slot) && slot->end.other < i; /* with that end */
+    count += tb_slot_in_play(slot) && !counted;
+  }
+  return count;
+}

@@ -5,8 +5,9 @@
  * is one of all kinds, by chance.
  *
  *     s b r c  strokes: plain, buzz, rimshot, cross-stick      X Y  swap, replacement by another
- * model p d l m  press, damping hand, release, move              h R  silence, reset g t u    gain,
- * wire tension, muffling */
+ *     model
+ *     p d l m  press, damping hand, release, move              h R  silence, reset
+ *     g t u    gain, wire tension, muffling */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

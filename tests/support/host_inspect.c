@@ -11,8 +11,9 @@
  *     host_inspect onsets FILE      frames at which it becomes twice as loud as in the 20 ms before
  *     host_inspect rms FILE A B     root mean square from A to B [s]
  *     host_inspect sounds FILE      time [s] and largest sample of each sound after 50 ms of
- * silence host_inspect distance A B     largest difference of two sounds host_inspect equal A B
- * status 0 if they do not differ; containers may differ
+ *     silence
+ *     host_inspect distance A B     largest difference of two sounds
+ *     host_inspect equal A B        status 0 if they do not differ; containers may differ
  */
 #include <jansson.h>
 #include <math.h>

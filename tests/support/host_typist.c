@@ -11,13 +11,19 @@
  *     gone TEXT      waits until the screen no longer shows it
  *     read FILE TEXT waits until a line of the file has the text; gives up likewise
  *     type TEXT      \e is Escape, \r Enter, \t Tab, \xHH any byte; prints "typed SECONDS" (a
- * monotonic clock) sleep SECONDS escape         types Escape twice within a tenth of a second,
- * which quits the program; retries if a busy machine took longer signal NUMBER  sends it to the
- * program size COLUMNS ROWS   sets the size of the terminal raw, cooked    waits until the terminal
- * delivers single keys, or lines; gives up likewise show           prints the screen After the
- * script the program has a minute to end. host_typist then prints "status N", as a shell reports
- * it; "settings same" or "settings changed" for the terminal's settings compared with those before
- * the start; and "screen main" if the terminal is back on the main screen with a visible cursor.
+ *     monotonic clock)
+ *     sleep SECONDS
+ *     escape         types Escape twice within a tenth of a second, which quits the program;
+ *     retries if a busy
+ *                    machine took longer
+ *     signal NUMBER  sends it to the program
+ *     size COLUMNS ROWS   sets the size of the terminal
+ *     raw, cooked    waits until the terminal delivers single keys, or lines; gives up likewise
+ *     show           prints the screen
+ * After the script the program has a minute to end. host_typist then prints "status N", as a shell
+ * reports it; "settings same" or "settings changed" for the terminal's settings compared with those
+ * before the start; and "screen main" if the terminal is back on the main screen with a visible
+ * cursor.
  */
 #define _GNU_SOURCE
 #include <poll.h>

@@ -5,7 +5,8 @@
  *
  *     jack_send PORT MESSAGE...     connects to PORT, or for '-' waits for a connection, and sends;
  *                                   MESSAGE is SECONDS:HEX, as 0.5:992640, timed from the
- * connection jack_send PORT flood RATE SECONDS   sends RATE notes a second
+ *                                   connection
+ *     jack_send PORT flood RATE SECONDS   sends RATE notes a second
  *
  * Waits up to a minute for the port. Status 1 if there is no server, port or connection.
  */

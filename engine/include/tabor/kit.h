@@ -265,8 +265,8 @@ typedef struct TaborKitOutputs {
  *
  * @param def     its definition, which is copied.
  * @param models  [def->drum_count]: the models of the drums, built from what tabor_kit_def_place()
- * gives, at one sample rate and with one allocator. The kit keeps references. They may be built in
- * parallel.
+ *                gives, at one sample rate and with one allocator. The kit keeps references. They
+ *                may be built in parallel.
  * @param kit     receives the kit; NULL on an error.
  * @param error   says what is wrong; may be NULL.
  *
@@ -308,10 +308,11 @@ TABOR_API TaborStatus tabor_kit_set_sample(TaborKit *kit, uint32_t note, const f
  * @param kit   the follower.
  * @param from  the kit before. Until tabor_kit_take_over() no drum of it may be swapped.
  * @param drums [drum_count of @p kit]: drum of @p from that each drum goes on with, or
- * TABOR_KIT_NEW. One that has the same model rings on as it is, to the bit; one of another model
- * continues as by a swap (tabor_swap_create()).
+ *              TABOR_KIT_NEW. One that has the same model rings on as it is, to the bit; one of
+ *              another model continues as by a swap (tabor_swap_create()).
  * @param error may be NULL. TABOR_ERROR_ARGUMENT for kits of two sample rates, a drum that is not
- * there or asked for twice, or a kit that follows already; those of tabor_swap_create().
+ *              there or asked for twice, or a kit that follows already; those of
+ *              tabor_swap_create().
  */
 TABOR_API TaborStatus tabor_kit_follow(TaborKit *kit, const TaborKit *from, const uint8_t *drums,
                                        TaborError *error);
@@ -336,8 +337,8 @@ TABOR_API const TaborKitDef *tabor_kit_definition(const TaborKit *kit);
  *
  * @param kit     the kit.
  * @param events  @p count events, sorted by frame; may be NULL when count is 0. A swap must be made
- * for a model of a placed definition; only microphones with the kit's own names are mixed, and of a
- * drum that lacks its close microphone the first.
+ *                for a model of a placed definition; only microphones with the kit's own names are
+ *                mixed, and of a drum that lacks its close microphone the first.
  * @param count   number of events.
  * @param outputs where the sound goes; samples overwrite the arrays. NULL: nowhere.
  * @param frames  samples of each output; may be 0: all events then act at once.

@@ -1186,11 +1186,11 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  * @param events  @p count events, sorted by frame; may be NULL when count is 0.
  * @param count   number of events.
  * @param outputs outputs[mic][frame]: one pointer per microphone of the definition, in its order,
- * unless tabor_drum_route() or tabor_swap_route() has chosen others. Samples overwrite the
- * array; 1.0 stands for full_scale. A NULL channel is not computed; when it is connected again it
- * starts silent, and sound still on its way to the microphone is lost. @p outputs itself may be
- * NULL. After a swap to a model with fewer microphones, the caller fills the channels that it
- * lacks.
+ *                unless tabor_drum_route() or tabor_swap_route() has chosen others. Samples
+ *                overwrite the array; 1.0 stands for full_scale. A NULL channel is not computed;
+ *                when it is connected again it starts silent, and sound still on its way to the
+ *                microphone is lost. @p outputs itself may be NULL. After a swap to a model with
+ *                fewer microphones, the caller fills the channels that it lacks.
  * @param frames  samples of each channel; may be 0: all events then act at once.
  *
  * The work is bounded. Of strokes, presses and damping hands, TABOR_BURST act at once, and one more
@@ -1313,9 +1313,9 @@ TABOR_API void tabor_room_info(const TaborRoom *room, TaborRoomInfo *info);
  *
  * @param room    the room.
  * @param dry     dry[mic][frame]: what tabor_drum_process() gave. Only the feeds are read. A NULL
- * channel is silence, and so is @p dry if it is NULL.
+ *                channel is silence, and so is @p dry if it is NULL.
  * @param outputs outputs[mic][frame]: the room adds to each channel that is not NULL; @p outputs
- * may be @p dry.
+ *                may be @p dry.
  * @param frames  samples of each channel.
  *
  * The output does not depend on the division into blocks, nor on the instruction set.

@@ -12,8 +12,8 @@
  *
  * A striker's force is a mean over k (contact_law.h) and is heard as it is: toms, bass drum and
  * timpano at `live` and 44.1 or 48 kHz are then within 3 dB of 96 kHz up to 12.5 kHz, within 3.5 dB
- * at 16 kHz, toms brighter (test_system_rates), the others duller. A filter for that mean would
- * add 1.7 dB there.
+ * at 16 kHz, toms brighter (test_system_rates), the others duller. A filter for that mean would add
+ * 1.7 dB there.
  *
  * Unless wires are thrown off, their filter lifts what strikers excite, too. So strikers' forces
  * then act on the high band as means of two samples, cos(omega k/2), which leaves 1.7 dB too much

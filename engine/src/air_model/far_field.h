@@ -2,12 +2,14 @@
 /* The sound that a mode of a closed drum sends out, far away, and the power in it.
  *
  * At the distance s from the drum's middle and the polar angle t from its axis the pressure per
- * unit amplitude is p = -omega^2 rho0 R F(t) cos(m theta) (R/s) e^{-i k s},  k s >> 1, and the
- * power of unit amplitude P = omega^4 rho0 R^4 a_m/(2 c0) Int_{-1}^1 |F|^2 d(cos t),  a_0 = 2 pi,
- * a_m = pi. The integral is Gauss's rule with TB_FAR_NODES nodes, exact for degree 15: waves up to
- * k R = TB_FAR_TOP have spherical orders up to some 6, and |F|^2 twice that. Modes of one order
- * sound together, so powers do not add, but F does. Limit: a slow monopole of the volume amplitude
- * V [m^2] has F = V/(4 pi R^2) and P = omega^4 rho0 V^2/(8 pi c0) [MorseIngard]. Set-up only. */
+ * unit amplitude is
+ *   p = -omega^2 rho0 R F(t) cos(m theta) (R/s) e^{-i k s},  k s >> 1,
+ * and the power of unit amplitude
+ *   P = omega^4 rho0 R^4 a_m/(2 c0) Int_{-1}^1 |F|^2 d(cos t),  a_0 = 2 pi, a_m = pi.
+ * The integral is Gauss's rule with TB_FAR_NODES nodes, exact for degree 15: waves up to k R =
+ * TB_FAR_TOP have spherical orders up to some 6, and |F|^2 twice that. Modes of one order sound
+ * together, so powers do not add, but F does. Limit: a slow monopole of the volume amplitude V
+ * [m^2] has F = V/(4 pi R^2) and P = omega^4 rho0 V^2/(8 pi c0) [MorseIngard]. Set-up only. */
 #ifndef TB_FAR_FIELD_H
 #define TB_FAR_FIELD_H
 

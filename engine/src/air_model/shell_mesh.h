@@ -4,11 +4,12 @@
  * Lengths are in units of the radius; the middle of the axis is the origin, the caps lie at z = h
  * and z = -h. Fields are even or odd in z, and go like cos(m theta). So the upper cap and the upper
  * half of the side stand for everything. On each of the two a parameter t runs from 0 (the axis,
- * the middle plane) to 1 (the edge), with r = g(t) on the cap, z = h g(t) on the side, g(t) = (15 t
- * - 10 t^3 + 3 t^5)/8. The pressure at the edge goes like d^{2/3}, d the distance along the surface
- *   (a wedge of 270 degrees of air), which is smooth in t, since d falls like (1 - t)^3. As a
- *   function of t the pressure is even or odd, so that a Gauss rule on (-1, 1), of which half the
- *   nodes stay, and the polynomial through its nodes are accurate with few nodes.
+ * the middle plane) to 1 (the edge), with
+ *   r = g(t) on the cap, z = h g(t) on the side, g(t) = (15 t - 10 t^3 + 3 t^5)/8.
+ * The pressure at the edge goes like d^{2/3}, d the distance along the surface (a wedge of 270
+ * degrees of air), which is smooth in t, since d falls like (1 - t)^3. As a function of t the
+ * pressure is even or odd, so that a Gauss rule on (-1, 1), of which half the nodes stay, and the
+ * polynomial through its nodes are accurate with few nodes.
  *
  * For a target point the rows hold the single layer of the sources w_j at the nodes and the double
  * layer of the pressures I_j,

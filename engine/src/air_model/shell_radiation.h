@@ -4,11 +4,11 @@
  *
  * The pressure is -omega^2 rho0 R I cos(m theta) per unit amplitude. I satisfies Helmholtz'
  * equation outside, and dI/dn = -w on the surface, w the outward displacement: a head's on a cap, 0
- * on the side. On the surface, outside it and inside the shell, in this order, {1/2, 1, 0} I(s) =
- * Int I dG/dn' dS' + Int G w dS'. shell_mesh.h turns both integrals into rows. The equations on the
- * surface alone fail at the resonances of a soft cylinder filled with air; those of a few points
- * inside join them, and all are solved by least squares [Schenck1968]. Motions that are even and
- * odd in z are solved apart.
+ * on the side. On the surface, outside it and inside the shell, in this order,
+ *   {1/2, 1, 0} I(s) = Int I dG/dn' dS' + Int G w dS'.
+ * shell_mesh.h turns both integrals into rows. The equations on the surface alone fail at the
+ * resonances of a soft cylinder filled with air; those of a few points inside join them, and all
+ * are solved by least squares [Schenck1968]. Motions that are even and odd in z are solved apart.
  *
  * w is replaced by its projection on the polynomials of the nodes,
  *   w_j = Int (polynomial of j) w r dr/(weight of j),

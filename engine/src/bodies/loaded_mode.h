@@ -3,8 +3,10 @@
  * and sound.
  *
  * The air's mass in a mode depends on the frequency, which depends on the mass: from the frequency
- * omega of the low-frequency problem, omega^2 = K/(M + M_air(omega)), is passed through twice for
- * the lowest modes, whose mass changes most, and once for the others. Set-up only. */
+ * omega of the low-frequency problem,
+ *   omega^2 = K/(M + M_air(omega)),
+ * is passed through twice for the lowest modes, whose mass changes most, and once for the others.
+ * Set-up only. */
 #ifndef TB_LOADED_MODE_H
 #define TB_LOADED_MODE_H
 

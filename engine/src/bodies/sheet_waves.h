@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Plane waves on a sheet, a head or a plate, with air on both sides, as long as they are slower
- * than sound: omega^2 = (T k^2 + D k^4)/m,  m = rho + 2 rho0/(k sqrt(1 - (omega/(c0 k))^2)). Set-up
- * only. */
+ * than sound:
+ *   omega^2 = (T k^2 + D k^4)/m,  m = rho + 2 rho0/(k sqrt(1 - (omega/(c0 k))^2)).
+ * Set-up only. */
 #ifndef TB_SHEET_WAVES_H
 #define TB_SHEET_WAVES_H
 

@@ -12,11 +12,10 @@
  * forces and laws counts divided by 1 + D c, that is by what it would change. States, their
  * response to the forces, and the ledger stay double, so nothing drifts. The work of the forces and
  * the energy that contacts store agree only to rounding: about 1e-7 of the energy that goes through
- * the contacts in a sample, with either sign. The
- * iteration ends where forces would lose up to 3e-6 of that energy; this loss is booked as lost in
- * contacts. Near rest, where forces change by rounding alone, they may lose or gain 1.5e-6 of it:
- * of the stock snare drum's 1e-13 J a sample then, 1e-14 W beside the 1e-8 W that a drum of 1e-9 J
- * loses.
+ * the contacts in a sample, with either sign. The iteration ends where forces would lose up to 3e-6
+ * of that energy; this loss is booked as lost in contacts. Near rest, where forces change by
+ * rounding alone, they may lose or gain 1.5e-6 of it: of the stock snare drum's 1e-13 J a sample
+ * then, 1e-14 W beside the 1e-8 W that a drum of 1e-9 J loses.
  *
  * In double, an iteration that does not converge is balanced once more, up to half of the forces'
  * change away. Audio-safe. */

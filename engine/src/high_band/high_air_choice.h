@@ -2,10 +2,11 @@
 /* Which modes of the enclosed air the high band radiates and offers for its choice (high_band.h): a
  * few dozen in each sixth of an octave, where a floor tom has thousands. Fewer than twice
  * TB_AIR_MET, evenly spread, are looked at. The more the batter head has of a mode, the more likely
- * that is kept: p = min(1, b/(n <b>)), b = in_head, <b> its mean over the order, n the modes for
- * each one that is kept, and stands for 1/p modes. The energy that strokes bring to a microphone
- * grows with b, so that few of those kept stand out. They are drawn by summing p, not by chance.
- * Set-up only. */
+ * that is kept:
+ *   p = min(1, b/(n <b>)), b = in_head, <b> its mean over the order, n the modes for each one that
+ *   is kept,
+ * and stands for 1/p modes. The energy that strokes bring to a microphone grows with b, so that few
+ * of those kept stand out. They are drawn by summing p, not by chance. Set-up only. */
 #ifndef TB_HIGH_AIR_CHOICE_H
 #define TB_HIGH_AIR_CHOICE_H
 

@@ -2,15 +2,18 @@
 /* Modes of the enclosed air above the two-way bandwidth, one angular order at a time.
  *
  * A mode c of a cavity with rigid walls (cavity.h) and a Bessel function i of a head, both of unit
- * modal mass, are coupled by the stiffness K_ci = -a_m R^2 omega_c c0 (rho0/N_c)^(1/2) W_i(z') q_i,
- * times (-1)^l on the upper head, q_i the function's amplitude at unit mass. Two that are coupled
- * by themselves move together by t_i = -tan(theta_i), tan(2 theta_i) = 2 K_ci/d_i, d_i^2 =
- * (omega_i^2 - omega_c^2)^2 + (2 omega_c (s_i + s_c))^2, d_i with the sign of omega_i^2 -
- * omega_c^2. Without losses that is exact. With them, the energy that one of the two has over time
- * after a blow on the other is, for s_i = s_c, K^2/(s (d^2 + 4 K^2)) of it: they share no more than
- * they can exchange before they die away, as in [Lyon1995]. To first order a mode moves every
- * function as if that were coupled to it alone: per unit of the mode's mass u_c = 1/(1 + Sum
- * t_i^2)^(1/2), a_i = t_i u_c, omega^2 = omega_c^2 + Sum K_ci t_i (omega_i^2 - omega_c^2)/d_i.
+ * modal mass, are coupled by the stiffness
+ *   K_ci = -a_m R^2 omega_c c0 (rho0/N_c)^(1/2) W_i(z') q_i, times (-1)^l on the upper head,
+ * q_i the function's amplitude at unit mass. Two that are coupled by themselves move together by
+ *   t_i = -tan(theta_i), tan(2 theta_i) = 2 K_ci/d_i, d_i^2 = (omega_i^2 - omega_c^2)^2 + (2
+ *   omega_c (s_i + s_c))^2,
+ * d_i with the sign of omega_i^2 - omega_c^2. Without losses that is exact. With them, the energy
+ * that one of the two has over time after a blow on the other is, for s_i = s_c, K^2/(s (d^2 + 4
+ * K^2)) of it: they share no more than they can exchange before they die away, as in [Lyon1995]. To
+ * first order a mode moves every function as if that were coupled to it alone: per unit of the
+ * mode's mass
+ *   u_c = 1/(1 + Sum t_i^2)^(1/2), a_i = t_i u_c, omega^2 = omega_c^2 + Sum K_ci t_i (omega_i^2 -
+ *   omega_c^2)/d_i.
  * Functions that are slower than the air inside follow it as mass; those near omega_c are the free
  * wave that goes out from the edge, where a head cannot follow, and most of what a stroke meets.
  * Each function lacks the part Sum_c a_i^2 that all modes of the air take of it.
@@ -18,8 +21,9 @@
  * A mode radiates from both heads, each in a baffle. A microphone hears the head that it faces.
  * (Against the two-way modes of four drums up to 16 kHz, sums over third octaves from 5 kHz on:
  * decay rates within 20 %, energies at six microphones within 3 dB, most within 1.5 dB.) Apart from
- * that it loses s = s_c u_c^2 + Sum s_i a_i^2, s_c of the air between its walls (cavity.h), s_i of
- * the film. A microphone inside hears the air itself: R I as in cavity_pressure.h.
+ * that it loses
+ *   s = s_c u_c^2 + Sum s_i a_i^2, s_c of the air between its walls (cavity.h), s_i of the film.
+ * A microphone inside hears the air itself: R I as in cavity_pressure.h.
  *
  * To a stroke, a mode's shape on a head is one wave J_m(K r) with the wavenumber that waves have at
  * omega, and the mean square of all its functions. Set-up only. */

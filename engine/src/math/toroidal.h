@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /* Legendre functions of the second kind and half-integer degree, Q_{m-1/2}(chi), chi > 1: the
- * Fourier coefficients of the inverse distance between two coaxial rings ([DLMF] 14.19), Int_0^{2
- * pi} cos(m t)/sqrt(chi - cos t) dt = 2 sqrt(2) Q_{m-1/2}(chi).
+ * Fourier coefficients of the inverse distance between two coaxial rings ([DLMF] 14.19),
+ *   Int_0^{2 pi} cos(m t)/sqrt(chi - cos t) dt = 2 sqrt(2) Q_{m-1/2}(chi).
  *
  * Q_{-1/2} and Q_{1/2} are complete elliptic integrals, computed by the arithmetic-geometric mean
  * ([DLMF] 19.8). The others follow from

@@ -7,13 +7,16 @@
  * mic_response.c, which is 0 dB at 1 kHz. A digital section has the poles exp(s k) of H, k the time
  * step. Its numerator is such that its size is that of H at 0 Hz, at t = min(16 kHz, 0.42/k), and
  * at wp or 0.6 t, whichever is lower. With c = sin^2(w k/2), any b0 + b1/z + b2/z^2 has the squared
- * size B(c) = B0 (1 - c) + B1 c + 4 B2 c (1 - c), B0 = (b0 + b1 + b2)^2, B1 = (b0 - b1 + b2)^2, B2
- * = -4 b0 b2, so B1 and B2 follow from two values of B(c) = A(c) |H|^2, and with W = (sqrt B0 +
- * sqrt B1)/2: b0 = (W + sqrt(W^2 + B2))/2, b1 = sqrt B0 - W, b2 = -B2/(4 b0). These zeros lie
- * inside the unit circle if B1 > 0 and W^2 + B2 > 0. That holds for the sections here at every rate
- * that a model may have; tests/engine/test_mic_response.c looks at them all. So the filter has
- * minimum phase, and its inverse is stable. The curve is met within 0.2 dB up to 16 kHz at 44.1 kHz
- * and above, where a bilinear transform is off by several decibels. It has no latency.
+ * size
+ *   B(c) = B0 (1 - c) + B1 c + 4 B2 c (1 - c),
+ *   B0 = (b0 + b1 + b2)^2, B1 = (b0 - b1 + b2)^2, B2 = -4 b0 b2,
+ * so B1 and B2 follow from two values of B(c) = A(c) |H|^2, and with
+ *   W = (sqrt B0 + sqrt B1)/2: b0 = (W + sqrt(W^2 + B2))/2, b1 = sqrt B0 - W, b2 = -B2/(4 b0).
+ * These zeros lie inside the unit circle if B1 > 0 and W^2 + B2 > 0. That holds for the sections
+ * here at every rate that a model may have; tests/engine/test_mic_response.c looks at them all. So
+ * the filter has minimum phase, and its inverse is stable. The curve is met within 0.2 dB up to 16
+ * kHz at 44.1 kHz and above, where a bilinear transform is off by several decibels. It has no
+ * latency.
  *
  * What the curves leave out: they are those of sound from the front and from afar. The boost of
  * bass close to a directional microphone, which they would add to, and its directivity are not

@@ -4,7 +4,8 @@
  *
  * A mode that turns by theta = omega k in a step changes by d = t A in a step at most, t = 2
  * sin(theta/2), where A is its amplitude. A microphone with the weights a and b (mics.h) hears |a
- * e^(i theta) - b| d of it, the square of which is h d^2,  h = (a - b)^2 + a b t^2,  t^2 = K' k^2.
+ * e^(i theta) - b| d of it, the square of which is
+ *   h d^2,  h = (a - b)^2 + a b t^2,  t^2 = K' k^2.
  * `heard` is h over the square of full scale, at the microphone that hears the mode best, a gain
  * below 1 taken as 1: a fader that is down may be pushed up.
  *

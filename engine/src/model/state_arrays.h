@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /* The arrays of a drum's state (state/state.h), a line each:
  *   name in TbLayout; kind of its numbers; how many such arrays there may be and are; numbers in
- * each; where TbView has it. Layout, view, reset and check of saved states follow these lists.
- * `model` is the model, `copy` counts the arrays of a line. Kinds (TbArrayKind): doubles; floats;
- * numbers in the high band's precision, in the room of doubles; scratch, which is filled before it
- * is read. */
+ *   each; where TbView has it.
+ * Layout, view, reset and check of saved states follow these lists. `model` is the model, `copy`
+ * counts the arrays of a line. Kinds (TbArrayKind): doubles; floats; numbers in the high band's
+ * precision, in the room of doubles; scratch, which is filled before it is read. */
 #ifndef TB_STATE_ARRAYS_H
 #define TB_STATE_ARRAYS_H
 

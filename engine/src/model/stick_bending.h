@@ -28,8 +28,9 @@
  *   next by 16 %.
  * - free: no hand, in a rimshot, where the whole stick comes down.
  * - across: in a cross-stick, a hand and its part of the arm, 1 kg, hold the stick 75 mm from its
- *   tip. The 30 g are an estimate, as is the damping by the hand, 100/s. Mass and place of the hand
- *   across were fitted to recorded cross-sticks, within 0.2 to 1 kg and 0 to 90 mm.
+ *   tip.
+ * The 30 g are an estimate, as is the damping by the hand, 100/s. Mass and place of the hand across
+ * were fitted to recorded cross-sticks, within 0.2 to 1 kg and 0 to 90 mm.
  *
  * Modes faster than 0.35 of the sample rate have that frequency and their own static compliance. So
  * for an infinite frequency nothing is left of them, and a definition with 0 Hz has none: then the

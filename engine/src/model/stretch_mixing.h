@@ -3,7 +3,8 @@
  *
  * Modes of one order and copy mix: the air between two heads makes pairs of modes of one mode of
  * each head, the air outside mixes functions of one head. With amplitudes v of the Bessel functions
- * and u of the edge (rim.h), G_ij = a_m R^2 Sum_k v_ik v_jk K_k^2 J_{m+1}(z_k)^2/2 + a_m m u_i u_j.
+ * and u of the edge (rim.h),
+ *   G_ij = a_m R^2 Sum_k v_ik v_jk K_k^2 J_{m+1}(z_k)^2/2 + a_m m u_i u_j.
  * Right after a stroke on the batter head both modes of a pair move it alike and cancel on the
  * other one: without the terms off the diagonal the batter's tension rises by half of what it
  * should, and the other head's rises, too. On the bass drum that is 9 to 12 dB in third octaves of

@@ -13,7 +13,8 @@
  * the real part omega B^2/(4 T) above (D = 0, no air).
  *
  * The integral is cut into TB_TRUNCATED cells, each an oscillator of unit mass that the force
- * drives by phi: phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
+ * drives by phi:
+ *   phi^2 = Int B^2/mu K dK/(2 pi),  C = Int B^2/S K dK/(2 pi),  omega_i^2 = phi^2/C.
  * Together the cells yield as the truncated modes do, at low and at high frequencies. Each decays
  * by half its cell's width in frequency. Side by side, such resonances are as smooth as the
  * continuum (within 2 exp(-pi)), but half an octave above omega_c they are a fifth short of it,

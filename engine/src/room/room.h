@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 /* A shoebox room of volume V and surface S around a drum.
  *
- * Decay. Sound at f falls by 60 dB in T(f), 1/T(f) = 1/T0 + (1/T8 - 1/T0) s(f)/s(8 kHz) with
- * s(f) = sin^2(pi f k), k the time step: below 8 kHz the loss on top of that at low notes rises
- * about with f^2, as that of the air does. By Sabine's law A(f) = 24 ln(10) V/(c T(f)) is the area
- * of an open window that would absorb as much, and by Eyring's a wall keeps the part 1 - alpha =
- * exp(-A/S) of the energy.
+ * Decay. Sound at f falls by 60 dB in T(f), 1/T(f) = 1/T0 + (1/T8 - 1/T0) s(f)/s(8 kHz) with s(f) =
+ * sin^2(pi f k), k the time step: below 8 kHz the loss on top of that at low notes rises about with
+ * f^2, as that of the air does. By Sabine's law A(f) = 24 ln(10) V/(c T(f)) is the area of an open
+ * window that would absorb as much, and by Eyring's a wall keeps the part 1 - alpha = exp(-A/S) of
+ * the energy.
  *
  * First reflections. Each of the six walls shows an image of the drum: at the distance d the
  * microphone hears sqrt(1 - alpha)/d of what it would hear at 1 m, after (d - r)/c where the feed

@@ -22,12 +22,12 @@
  *   height/d) is the gap, 2 mm at 2.5 m/s.
  * - Cross-stick: the stick lies across the drum, its tip at the stroke's place, its shaft over the
  *   hoop opposite, d = R + r away. It turns about its tip and meets the hoop with the stroke's
- * speed: S2 (v/d)^2/2, hand included. The hand presses the shaft down: h = -(F0 + c z_s,t), the
- * damper centred, is one more force at the place s of the shaft. So the shaft bounces some times on
- * the hoop and comes to rest there. The palm lies on the head over the tip, as a damping hand. F0
- * falls evenly to nothing in 0.3 s, the palm's resistance in the last 0.1 s of it; then both are
- * gone. F0 and c do not depend on the grip, as the hand's mass does not. The next cross-stick takes
- * the stick of the last along.
+ *   speed: S2 (v/d)^2/2, hand included. The hand presses the shaft down: h = -(F0 + c z_s,t), the
+ *   damper centred, is one more force at the place s of the shaft. So the shaft bounces some times
+ *   on the hoop and comes to rest there. The palm lies on the head over the tip, as a damping hand.
+ *   F0 falls evenly to nothing in 0.3 s, the palm's resistance in the last 0.1 s of it; then both
+ *   are gone. F0 and c do not depend on the grip, as the hand's mass does not. The next cross-stick
+ *   takes the stick of the last along.
  *
  * On drums wider than the stick's length, the tip is as near to the stroke's place as it can be
  * within 0.2 m of the hoop (cross-stick: 0.3 m). The tip is never nearer than 0.03 m to the

@@ -4,10 +4,11 @@
  * The pitch is the frequency of the head's lowest mode with one nodal diameter, (1,1), in air, with
  * even lugs, while the other head is held. A held head is a rigid bottom: the head stands alone
  * over the air in the shell, and its modes are those of drum_modes.h. Limit: in vacuo and without
- * bending stiffness f = 3.8317/(2 pi R) sqrt(T/rho). f^2 is nearly linear in T, so the secant rule
- * on f^2 finds the tension, within a bracket. Far up the pitch rises ever more slowly with the
- * tension: the mode turns into that of the enclosed air with one nodal diameter, at c0 1.841/(2 pi
- * R). Set-up only. */
+ * bending stiffness
+ *   f = 3.8317/(2 pi R) sqrt(T/rho).
+ * f^2 is nearly linear in T, so the secant rule on f^2 finds the tension, within a bracket. Far up
+ * the pitch rises ever more slowly with the tension: the mode turns into that of the enclosed air
+ * with one nodal diameter, at c0 1.841/(2 pi R). Set-up only. */
 #ifndef TB_HEAD_PITCH_H
 #define TB_HEAD_PITCH_H
 

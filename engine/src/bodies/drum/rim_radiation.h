@@ -16,13 +16,16 @@
  *
  * Hoop: its section is 2b wide, seen from above, and h high. A strip of width w that moves across
  * its plane drags along air of the mass rho0 pi w^2/4 per length, less where it is not small
- * against the wavelength: at last both sides radiate plane waves, so m' = rho0 (pi w^2/4)/sqrt(1 +
- * (pi k w/8)^2), and it pushes the air like a ring of dipoles of that mass times its acceleration.
- * While the hoop moves upward by a cos(n theta), its width does so, too, and its wall leans: with
- * the ratio g of torsional to bending stiffness a ring's section turns by n^2 (1 + g)/(1 + n^2 g)
- * a/R, since what turns need bend less. So a thin open section (g -> 0) moves like the edge of a
- * cylinder, n^2, and a closed one (g = 1) hardly at all. Its foot stands on the head's hoop, so the
- * middle of the wall moves outward by A = -(h/2R) n^2 (1 + g)/(1 + n^2 g) a. Upward, and outward:
+ * against the wavelength: at last both sides radiate plane waves, so
+ *   m' = rho0 (pi w^2/4)/sqrt(1 + (pi k w/8)^2),
+ * and it pushes the air like a ring of dipoles of that mass times its acceleration. While the hoop
+ * moves upward by a cos(n theta), its width does so, too, and its wall leans: with the ratio g of
+ * torsional to bending stiffness a ring's section turns by n^2 (1 + g)/(1 + n^2 g) a/R, since what
+ * turns need bend less. So a thin open section (g -> 0) moves like the edge of a cylinder, n^2, and
+ * a closed one (g = 1) hardly at all. Its foot stands on the head's hoop, so the middle of the wall
+ * moves outward by
+ *   A = -(h/2R) n^2 (1 + g)/(1 + n^2 g) a.
+ * Upward, and outward:
  *   I = (m'/rho0) Int_0^2pi cos(n t) (z/s^3) (1 + i k s) e^{-i k s}/(4 pi) dt, z above the ring,
  *   P = (pi/(2 rho0 c0)) (omega^2 m' k R |a|/2)^2 Int_0^pi [cos t J_n(k R sin t)]^2 sin t dt;
  *   I: the same with r cos t - R instead of z, P: with sin t J_n'(k R sin t) in place of cos t J_n,

@@ -62,7 +62,7 @@ extern "C" {
 #define TABOR_KIT_AIR "kit"     /**< by which the other drums hear the drum */
 /** @} */
 
-/** What a note does to a drum. */
+/** The effect of a note on a drum. */
 typedef enum TaborKitStroke {
   TABOR_KIT_STROKE_NONE,        /**< the note belongs to another drum or to none */
   TABOR_KIT_STROKE_HEAD,        /**< a stroke on the head */
@@ -172,8 +172,8 @@ TABOR_API TaborStatus tabor_kit_def_section(TaborKitDef *def, const char *sectio
                                             TaborError *error);
 /**
  * Writes the value of @p key, which tabor_kit_def_set() takes, to @p text, in at most @p size bytes
- * with the terminator; it reads back to the same bits. Of `drum.NAME.preset` that is the built-in
- * preset of the drum's own name if the drum has all parameters of it, otherwise "none".
+ * with the terminator; it reads back to the same bits. The value of `drum.NAME.preset` is the
+ * built-in preset of the drum's own name if the drum has all parameters of it, otherwise "none".
  * TABOR_ERROR_NAME for a drum that the kit lacks; TABOR_ERROR_KEY; TABOR_ERROR_ARGUMENT if the text
  * does not fit, for which 2 * TABOR_TEXT_SIZE bytes are enough.
  */
@@ -248,7 +248,7 @@ typedef struct TaborKitEvent {
   TaborEvent event;
 } TaborKitEvent;
 
-/** Where a block goes. Any pointer may be NULL: that output is not computed. */
+/** Outputs of a block. Any pointer may be NULL: that output is not computed. */
 typedef struct TaborKitOutputs {
   float *stereo[2];                            /**< the mix, left and right */
   float *drum[TABOR_KIT_DRUMS][2];             /**< each drum's part of it, without the room */
@@ -281,8 +281,8 @@ TABOR_API void tabor_kit_destroy(TaborKit *kit);
  * Lets the drums of a kit be computed on several threads: @p run is called within
  * tabor_kit_process(), some thousand times a second, and calls @p job once for each drum from 0 to
  * @p count - 1, in any order and on any threads, and returns when all are done. The sound does not
- * depend on it. NULL, the default: one after another on the caller's thread. What @p run does is
- * the caller's: for an audio thread it must not lock.
+ * depend on it. NULL, the default: one after another on the caller's thread. The caller provides @p
+ * run: for an audio thread it must not lock.
  */
 TABOR_API void tabor_kit_set_runner(TaborKit *kit, TaborKitRun *run, void *context);
 /**

@@ -171,7 +171,7 @@ typedef enum TaborTechnique {
   TABOR_TECHNIQUE_PLUCK
 } TaborTechnique;
 
-/** What sounds. */
+/** The kinds of body. */
 typedef enum TaborBodyKind {
   TABOR_BODY_DRUM, /**< a head or two on a shell, as [shell], [batter] and [resonant] say */
   TABOR_BODY_PLATE /**< a flat round plate with a free edge, held in its middle */
@@ -183,8 +183,8 @@ typedef struct TaborBodyDef {
 } TaborBodyDef;
 
 /**
- * A plate, of uniform thickness; its radius is that of [shell]. Of [batter] it has the damper and
- * the ring. It has no wires, no resonant head and no hoop: strokes on the hoop meet the plate. A
+ * A plate, of uniform thickness; its radius is that of [shell]. The damper and the ring of [batter]
+ * lie on it. It has no wires, no resonant head and no hoop: strokes on the hoop meet the plate. A
  * thin plate, linear [Leissa1969]: D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 -
  * nu^2)). The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what
  * it radiates. Air is on both sides.
@@ -228,26 +228,24 @@ typedef struct TaborShellDef {
 } TaborShellDef;
 
 /**
- * A head, [Torin2014] eq. (1)-(2): displacement w [m],
- * rho w_tt = (T + dT) lap w - D lap^2 w - sigma0 rho w_t - sigma_k rho sqrt(-lap) w_t
- * + sigma1 rho lap w_t + forces.
- * In vacuo the amplitude of the mode of wavenumber K [1/m] decays by
- * (sigma0 + sigma_k K + sigma1 K^2)/2 [1/s]. Without bending stiffness the mode has
- * omega = c K, c = sqrt(T/rho), so sigma_k alone gives all modes the loss factor 1/Q = sigma_k/c.
- * Large deflections raise the tension: dT = S/(2 A) Int |grad w|^2 dA, A the head's area
- * [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie on the head, and
- * so may a ring of felt, which exerts -c w_t/A per area on what it covers, of area A. Where two
- * defaults are given, the first is for the batter head, the second for the resonant head.
+ * A head, [Torin2014] eq. (1)-(2): displacement w [m], rho w_tt = (T + dT) lap w - D lap^2 w -
+ * sigma0 rho w_t - sigma_k rho sqrt(-lap) w_t + sigma1 rho lap w_t + forces. In vacuo the amplitude
+ * of the mode of wavenumber K [1/m] decays by (sigma0 + sigma_k K + sigma1 K^2)/2 [1/s]. Without
+ * bending stiffness the mode has omega = c K, c = sqrt(T/rho), so sigma_k alone gives all modes the
+ * loss factor 1/Q = sigma_k/c. Large deflections raise the tension: dT = S/(2 A) Int |grad w|^2 dA,
+ * A the head's area [Berger1955]. A damper, which exerts the force -c w_t on a small patch, may lie
+ * on the head, and so may a ring of felt, which exerts -c w_t/A per area on what it covers, of area
+ * A. If two defaults are given, the first is for the batter head, the second for the resonant head.
  *
  * Lugs tension the head around its rim. Lug j of n is at (j - 1/2) 360/n degrees. If their
  * tensions differ, pairs of the lower modes split into two frequencies and beat.
  */
 typedef struct TaborHeadDef {
   double tension; /**< T [N/m], 100 to 20,000, default 3000 and 2600 */
-  /** What a tuner reads at a lug [Hz]: the frequency of this head's lowest mode with one nodal
-   * diameter, (1,1), in air, with even lugs and the other head held still; 1 to 20,000. It takes
-   * precedence over `tension`, and tabor_drum_def_tune() turns it into one. 0, the default: as
-   * `tension` says. */
+  /** The pitch that a tuner reads at a lug [Hz]: the frequency of this head's lowest mode with one
+   * nodal diameter, (1,1), in air, with even lugs and the other head held still; 1 to 20,000. It
+   * takes precedence over `tension`, and tabor_drum_def_tune() turns it into one. 0, the default:
+   * as `tension` says. */
   double pitch;
   double surface_density;   /**< rho [kg/m2], 0.02 to 5, default 0.262 and 0.105 */
   double bending_stiffness; /**< D [N m], 0 to 1, default 0.0023 and 1.5e-4 */
@@ -670,7 +668,7 @@ typedef struct TaborTextLine {
  * reading. */
 typedef TaborStatus TaborTextTake(void *context, const TaborTextLine *line, TaborError *error);
 
-/** What a text is for. */
+/** The purpose of a text. */
 typedef enum TaborTextForm {
   TABOR_TEXT_EDIT, /**< for people: units and descriptions as comments; of a kit's drum what its
                       preset has otherwise */
@@ -687,12 +685,12 @@ typedef enum TaborTextForm {
  *     [batter]
  *     tension = 3000   ; N/m: why
  *
- * A comment begins with ';', after a value with a blank and ';', and a line of it with '#', too.
- * What could be a mistake is refused: control characters but tabs and line ends; invalid UTF-8;
- * lines, names of sections and keys that are too long; indented lines; text behind a section's ']';
- * a line without '='; sections, and keys of a section, that occur twice; and a last line without a
- * line end, since a text that was cut off there would give another number. A key that stands before
- * the first section has to be a full one, as `batter.tension`. */
+ * A comment begins with ';', after a value with a blank and ';', and a line of it with '#', too. A
+ * value that could be a mistake is refused: control characters but tabs and line ends; invalid
+ * UTF-8; lines, names of sections and keys that are too long; indented lines; text behind a
+ * section's ']'; a line without '='; sections, and keys of a section, that occur twice; and a last
+ * line without a line end, since a text that was cut off there would give another number. A key
+ * that stands before the first section has to be a full one, as `batter.tension`. */
 /** @{ */
 
 /**
@@ -789,7 +787,7 @@ typedef struct TaborModelOptions {
   size_t most_bytes; /**< most memory by tabor_model_estimate() */
 } TaborModelOptions;
 
-/** What building a model takes. */
+/** The cost of building a model. */
 typedef struct TaborModelEstimate {
   double seconds; /**< of processor time on one core of a server of 2024; for most definitions right
                      within a factor of 3 */
@@ -1035,7 +1033,7 @@ typedef struct TaborProbe {
 #define TABOR_VIEW_WIRE_POINTS 200 /**< points of each wire in a view at most */
 #define TABOR_VIEW_STICKS 16       /**< sticks in a view at most */
 
-/** What a view is to show. A field that is 0 takes its default. */
+/** The extent of a view. A field that is 0 takes its default. */
 typedef struct TaborViewGrid {
   uint32_t radii;  /**< circles of the heads, from the centre to the edge, 2 to 32, default 16 */
   uint32_t angles; /**< points of each circle, 1 to 96, default 48 */
@@ -1046,22 +1044,22 @@ typedef struct TaborViewGrid {
   double bandwidth;
 } TaborViewGrid;
 
-/** Where a striker touches, or will. A stick that meets head and hoop has two, a brush has one for
- * each group of bristles. */
+/** The place where a striker touches, or will. A stick that meets head and hoop has two, a brush
+ * has one for each group of bristles. */
 typedef struct TaborViewStick {
   uint32_t id;      /**< the caller's, of its stroke */
   uint32_t striker; /**< index into the definition's strikers */
   uint32_t on_hoop; /**< 1: it meets the hoop, 0: the head */
   double radius;    /**< of its place, from the centre [m] */
   double angle;     /**< of its place [deg] */
-  /** Of this point of it above the undeflected batter head [m], as if it did not yield: one that
+  /** Height of this point above the undeflected batter head [m], as if it did not yield: one that
    * touches is lower than the head by what the contact is compressed, a finger by millimetres. */
   double height;
   double force; /**< between it and head or hoop [N] */
 } TaborViewStick;
 
 /**
- * What a drum looks like at one instant. Of place (i, j) of a head, i counts the circles and j the
+ * The shape of a drum at one instant. At place (i, j) of a head, i counts the circles and j the
  * angles: the radius is i/(radii - 1) of the shell's, so that the first circle is the centre and
  * the last one the edge, and the angle is j 360/angles degrees. Points of a wire are evenly spaced
  * from end to end, both ends included. Heights of heads and wires count from the plane of the
@@ -1193,14 +1191,14 @@ TABOR_API bool tabor_swap_done(const TaborSwap *swap);
  *                fewer microphones, the caller fills the channels that it lacks.
  * @param frames  samples of each channel; may be 0: all events then act at once.
  *
- * The work is bounded. Of strokes, presses and damping hands, TABOR_BURST act at once, and one more
+ * The work is bounded. TABOR_BURST strokes, presses and damping hands act at once, and one more
  * each TABOR_BURST_FRAMES frames; further ones are dropped and counted in dropped_events. Silences,
  * resets, swaps and replacements always act, and count among these: a silence, a reset or a swap
  * like seven strokes, a replacement like one. A swap beyond this number acts like
  * TABOR_EVENT_REPLACE. Live changes, gains and moves count a little; of some two thousand at once,
- * further ones are dropped and counted. Releases always act. Of several resets at one frame the
- * last alone is carried out, and what precedes it at this frame, except swaps, is skipped without
- * being counted.
+ * further ones are dropped and counted. Releases always act. If several resets come at one frame,
+ * the last alone is carried out, and what precedes it at this frame, except swaps, is skipped
+ * without being counted.
  *
  * The output does not depend on the division into blocks. The latency is 0; sound reaches a
  * microphone after its travel time. The caller's floating-point mode is saved and restored.
@@ -1233,9 +1231,9 @@ TABOR_API void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe);
 /**
  * Copies what the newest state looks like to @p view, at whatever rate the caller wants to see.
  * False if the drum is on another model than the view, as after a swap; the view then keeps what it
- * had. What still sounds of before a silence, a swap or a replacement is not seen. On the default
- * grid it takes 15 to 40 microseconds on a processor of today, those of a drum with many low modes
- * the most.
+ * had. Sound that is left from before a silence, a swap or a replacement is not seen. On the
+ * default grid it takes 15 to 40 microseconds on a processor of today, those of a drum with many
+ * low modes the most.
  */
 TABOR_API bool tabor_drum_view(const TaborDrum *drum, TaborView *view);
 /** The model of the drum at this moment. */
@@ -1262,11 +1260,12 @@ TABOR_API TaborStatus tabor_drum_state_load(TaborDrum *drum, const void *bytes, 
  * --------------------------------------------------------------------------------------------- */
 
 /**
- * What the walls of a shoebox room send back to a drum's microphones: the six first reflections of
- * each microphone, and the late sound, as loud as in a diffuse field (engine/src/room/room.h has
- * the equations). It hears the drum by two of its microphones, the *feeds*: those called `left` and
- * `right`, or else the one that is farthest away, for both. It undoes their frequency responses,
- * and what it sends to a microphone passes that microphone's. The drum does not hear the room.
+ * The sound that the walls of a shoebox room send back to a drum's microphones: the six first
+ * reflections of each microphone, and the late sound, as loud as in a diffuse field
+ * (engine/src/room/room.h has the equations). It hears the drum by two of its microphones, the
+ * *feeds*: those called `left` and `right`, or else the one that is farthest away, for both. It
+ * undoes their frequency responses, and what it sends to a microphone passes that microphone's. The
+ * drum does not hear the room.
  */
 typedef struct TaborRoom TaborRoom;
 
@@ -1290,7 +1289,7 @@ typedef struct TaborRoomInfo {
 
 /**
  * Creates the room of @p def, at rest, for all its microphones. A room of the kind none adds
- * nothing. Of @p def it reads room, air, shell and microphones, as they are now: gains that change
+ * nothing. It reads room, air, shell and microphones of @p def, as they are now: gains that change
  * while the drum plays are not heard in the room, but through the feeds. @p allocator may be NULL
  * for the C library's. On an error *room is NULL: those of tabor_drum_def_validate(),
  * TABOR_ERROR_ARGUMENT, TABOR_ERROR_RANGE for @p sample_rate, or TABOR_ERROR_MEMORY.

@@ -29,8 +29,8 @@ typedef struct TbHighBandStep {
   void (*keep_drive)(const TbView *view, uint32_t slot, const double *drive);
   /* Energy between view->last and view->now [J]. */
   double (*energy)(const TbView *view);
-  /* What microphones hear of the motion from view->last to view->now, as a part of full scale,
-   * squared. */
+  /* Power that microphones hear of the motion from view->last to view->now, as a part of full
+   * scale, squared. */
   double (*heard)(const TbView *view);
   /* Sets displacements that are negligible at both instants to 0. */
   void (*clear_small)(const TbView *view);

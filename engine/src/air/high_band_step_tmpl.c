@@ -54,7 +54,7 @@ static bool holds(const TbView *view, uint32_t from) {
 
 enum { BLOCK = 8 };
 
-/* Of a block of modes; from -1 to 1. */
+/* Random numbers of a block of modes, from -1 to 1. */
 static void draw(const TbHighBand *high, uint64_t place, Real drawn[BLOCK]) {
   const uint64_t bits[2] = {tb_draw_bits(high->seed, 2 * place),
                             tb_draw_bits(high->seed, 2 * place + 1)};

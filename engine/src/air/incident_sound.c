@@ -9,7 +9,7 @@ bool tb_incident_pushes_all(const TbView *view) {
   return tb_incident_pushes(view) && !view->incident.low;
 }
 
-/* What is pushed: the low modes, or all, which move then. */
+/* The modes that are pushed: the low modes, or all, which move then. */
 static const TbParts *pushed(const TbView *view) {
   return view->incident.low ? &view->model->modes.low : &view->model->stretch.parts;
 }

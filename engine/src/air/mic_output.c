@@ -34,7 +34,7 @@ static TbRingParts divide(const TbView *view) {
   return parts;
 }
 
-/* What a striker's force does to the high band: see force_equalizer.h. */
+/* Push of a striker's force on the high band: see force_equalizer.h. */
 static double high_push(TbView *view, TbSlot *slot, double force) {
   const double before = slot->striker.force_before;
   slot->striker.force_before = force;
@@ -81,7 +81,7 @@ static void renew_hold(TbView *view) {
   tb_high_band_step_of(view)->hold(view, resistance);
 }
 
-/* What wires do to the high band, into view->high.force. */
+/* Push of the wires on the high band, into view->high.force. */
 static void push_high(TbView *view, bool unchanged) {
   TbHighBandState *high = &view->state->high;
   if (view->model->wires.count == 0 || view->state->wires.lifted) return;
@@ -126,7 +126,7 @@ static TbPair sums_at(const TbView *view, uint32_t mic, const TbPhase *phase, Tb
   return (TbPair){sums.first + high.first, sums.second + high.second};
 }
 
-/* What the tap hears: other drums hear the low modes alone. */
+/* The tap's signal: other drums hear the low modes alone. */
 static TbPair low_sums_at(const TbView *view, uint32_t mic, const TbPhase *phase) {
   const TbMic *m = &view->model->mics[mic];
   return view->model->kernels->two_dots_of_parts(&view->model->modes.low, m->ahead, m->behind,
@@ -151,7 +151,7 @@ static TbPair all_sums_at(TbView *view, uint32_t mic, const TbPhase *phase) {
   return sums_at(view, mic, phase, tb_high_band_step_of(view)->sums(view, mic, phase));
 }
 
-/* What a microphone would have heard if it had been heard before. */
+/* Fills in the sums of a microphone that was not listened to before. */
 static void begin_hearing(TbView *view, uint32_t mic) {
   const TbPair now = all_sums_at(view, mic, &view->now);
   const TbPair last = all_sums_at(view, mic, &view->last);

@@ -3,7 +3,7 @@
 
 #include "air/incident_sound.h"
 
-/* Of one group of modes. */
+/* Energy that one group of modes radiates in a step beyond the losses of its modes. */
 static double beyond(const TbView *view, uint32_t group) {
   const TbRadiatedPower *power = &view->model->power;
   const uint32_t first = power->group[group], count = power->group[group + 1] - first;

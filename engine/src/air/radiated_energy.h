@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* What the lowest modes of a closed drum have radiated together (model/radiated_power.h).
- * Audio-safe. */
+/* The energy that the lowest modes of a closed drum have radiated together
+ * (model/radiated_power.h). Audio-safe. */
 #ifndef TB_RADIATED_ENERGY_H
 #define TB_RADIATED_ENERGY_H
 

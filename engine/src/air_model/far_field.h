@@ -21,7 +21,7 @@ enum { TB_FAR_NODES = 8 }; /* as many as kernels have lanes */
 #define TB_FAR_ORDERS 4u
 #define TB_FAR_TOP 4.0
 
-/* What the square of p s at each node [Pa^2 m^2] adds to the power [W], for the mean of cos^2 or
+/* The share of the square of p s at each node [Pa^2 m^2] in the power [W], for the mean of cos^2 or
  * sin^2 over all directions: shares[TB_FAR_NODES], Gauss's weights times a_m/(rho0 c0). */
 void tb_far_shares(const TaborAirDef *air, uint32_t m, double *shares);
 

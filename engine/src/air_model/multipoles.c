@@ -267,7 +267,7 @@ bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *
 /* ---- the field ---------------------------------------------------------------------------------
  */
 
-/* Where h_n leaves the range of numbers, c_n h_n is below s^-n: nothing. */
+/* If h_n leaves the range of numbers, c_n h_n is below s^-n: nothing. */
 static const double LARGEST = 1e250;
 
 void tb_multipoles_at(const TbMultipoles *waves, double radius, double height, double field[2]) {

@@ -14,7 +14,7 @@ static double outward_height(const TbAirSource *source, TbAirPoint point) {
   return source->up * (point.height - source->plane);
 }
 
-/* Where W has faded. */
+/* The wavenumber at which W has faded. */
 static double smooth_top(const TbAirPlan *plan) {
   const double beyond = fmax(plan->x, plan->zero);
   return plan->precision.digits > 8.0 ? fmax(60.0, 4.0 * beyond) : 1.5 * beyond + 10.0;

@@ -59,7 +59,7 @@ static void add_outer8(uint32_t n, double *restrict out, const double factor[8],
   }
 }
 
-/* What is left of k^-2 sqrt(k^2 - x^2), k > x, without its first two terms 1/k and -x^2/(2 k^3),
+/* The rest of k^-2 sqrt(k^2 - x^2), k > x, without its first two terms 1/k and -x^2/(2 k^3),
  * for which Int_0^inf J_mu J_mu' dk is known ([DLMF] 10.22.57): 1/(2 mu) on the diagonal; for k^-3
  * 1/(4 (mu - 1) mu (mu + 1)) there and 1/(8 mu (mu + 1) (mu + 2)) beside it. It falls like x^4/(8
  * k^5). */
@@ -157,7 +157,7 @@ static bool open_source(Open *open, const TbAirPlan *plan, TbArena *scratch,
   return true;
 }
 
-/* Where the nodes of C(x) may end: what is left changes a load by less than 1e-5, of a drum 1e-3.
+/* The end of the nodes of C(x): what is left changes a load by less than 1e-5, of a drum 1e-3.
  */
 static double open_top(const TbAirPlan *plan) {
   if (plan->precision.digits < 8.0) return fmax(24.0, 2.0 * plan->x + 14.0);

@@ -51,7 +51,7 @@ void tb_ring_terms(TbCircle point, TbCircle source, bool radial, uint32_t orders
   }
 }
 
-/* Where the differences would cancel: the first terms of the series. */
+/* The first terms of the series, for arguments at which the differences would cancel. */
 static const double SMALL_SQUARE = 0.25;
 
 static inline double small_single_re(double a, double s) {

@@ -80,7 +80,7 @@ static double nearest_parameter(const Part *part) {
   return along >= 1.0 ? 1.0 : grade_inverse(along);
 }
 
-/* What a part gives to a target: [orders][2: even, odd basis][nodes of the part]. */
+/* The contribution of a part to a target: [orders][2: even, odd basis][nodes of the part]. */
 typedef TbRingTerms Terms;
 
 static void add_terms(Terms *sum, const Terms *term, double single, double dipole) {

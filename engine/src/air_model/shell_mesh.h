@@ -14,7 +14,7 @@
  * For a target point the rows hold the single layer of the sources w_j at the nodes and the double
  * layer of the pressures I_j,
  *   Int G w dS' = Sum_j single_j w_j, Int I dG/dn' dS' = Sum_j double_j I_j.
- * What is singular in them (ring_kernel.h) is integrated with the polynomial through the nodes and
+ * Their singular part (ring_kernel.h) is integrated with the polynomial through the nodes and
  * with panels that get shorter towards the target, so that a target may lie on the surface or near
  * to it, and the heads near to one another. The rest is smooth: it takes the nodes' own weights and
  * even steps in the angle, and as a function of x it is the polynomial through a few values of x

@@ -17,8 +17,8 @@ enum { INNER = 5 };
 static const TbCircle INSIDE[INNER] = {
   {0.32, 0.27}, {0.53, 0.61}, {0.71, 0.16}, {0.79, 0.47}, {0.88, 0.73}};
 
-/* With twelve nodes on a cap the loads of low modes are right to 1e-4 up to here. Where a wave has
- * room for many turns along the side, the largest x is lower, so that the side's nodes stay few. */
+/* With twelve nodes on a cap the loads of low modes are right to 1e-4 up to here. The largest x is
+ * lower if a wave has room for many turns along the side, so that the side's nodes stay few. */
 static const double TOP = 6.0, MOST_TURNS = 18.0;
 enum { CAP = 12, ORDERS = 12 };
 

@@ -73,7 +73,7 @@ typedef struct TbBody {
 /* ---- a kind of body ---------------------------------------------------------------------------
  */
 
-/* What the set-up of a body takes. */
+/* Cost of the set-up of a body. */
 typedef struct TbBodyCost {
   double modes;   /* sine copies counted */
   double resolve; /* processor time of resolve() [s] */

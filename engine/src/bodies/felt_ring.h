@@ -25,7 +25,7 @@ bool tb_felt_ring_matrix(const TaborHeadDef *head, double radius, TbArena *arena
 /* v^T C v [kg/s]; 0 without a matrix. */
 double tb_felt_ring_loss(const double *matrix, uint32_t count, const double *v);
 
-/* What one Bessel function by itself loses to the ring [1/s], in units of sigma0; `slope`:
+/* Loss of one Bessel function by itself to the ring [1/s], in units of sigma0; `slope`:
  * J_{m+1}(zero). */
 double tb_felt_ring_sigma(const TaborHeadDef *head, double radius, uint32_t m, double zero,
                           double slope);

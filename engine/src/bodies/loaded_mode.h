@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the air does to a mode of a single surface that moves at its own frequency: mass, resistance
+/* The air's load on a mode of a single surface that moves at its own frequency: mass, resistance
  * and sound.
  *
  * The air's mass in a mode depends on the frequency, which depends on the mass: from the frequency
@@ -26,7 +26,7 @@ typedef struct TbAirParts {
 bool tb_load_matrix(const TaborDrumDef *def, TbArena *scratch, const TbAirOrder *air, uint32_t size,
                     double *matrix);
 
-/* Of the motion y[air->count] with these own parts: improves mode->omega and writes mode->fields,
+/* For the motion y[air->count] with these own parts, improves mode->omega and writes mode->fields,
  * per unit amplitude. Returns false if memory ran out. */
 bool tb_load_mode(const TaborDrumDef *def, TbArena *scratch, const TbAirOrder *air,
                   const TbOwnParts *own, const double *y, TbBodyMode *mode, TbAirParts *load);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-/* What the contact solves of both precisions share (contact_solve.h): compiled with contact_solve.c
- * and contact_solvef.c, which have each precision's own input, Newton step and iteration; see
- * real.h. */
+/* The part of the contact solve that both precisions share (contact_solve.h): compiled with
+ * contact_solve.c and contact_solvef.c, which have each precision's own input, Newton step and
+ * iteration; see real.h. */
 #ifndef TB_CONTACT_SOLVE_TMPL_H
 #define TB_CONTACT_SOLVE_TMPL_H
 
@@ -34,7 +34,7 @@ static const Real FARTHEST = REAL(100.0);
 static const Kernels *kernels_of(const TbSolve *solve) { return solve->in.NAME_OF(kernels); }
 static Work *work_of(TbSolve *solve) { return &solve->NAME_OF(work); }
 
-/* Those of the slots stand last; they are skipped while none is in play. */
+/* The slots' rows stand last; they are skipped while none is in play. */
 static uint32_t total_rows(const TbSolve *solve) {
   return tb_wire_rows(&solve->in.rows) + (solve->in.slot_mask ? TB_SLOTS : 0u);
 }
@@ -55,7 +55,7 @@ static bool wires_touch(const TbSolve *solve, const Real *s);
 /* The last forces on the grid, and the new ones, from and to the drum. */
 static void take_grid(TbSolve *solve);
 static void give_grid(TbSolve *solve);
-/* What slots and stretching heads add to M x, beside the wires. */
+/* Adds the part of slots and stretching heads in M x, beside the wires. */
 static void add_others(TbSolve *solve, const Real *x, const Real *grid, Real *out);
 
 /* ---- M x ------------------------------------------------------------------------------------ */
@@ -156,8 +156,8 @@ typedef struct Move {
   Real t, over;
 } Move;
 
-/* Where the work of the forces is what the laws say, with the sums at s to begin with, and leaves
- * that place's laws; false where there is no such place up to `reach` away. */
+/* Finds the place at which the work of the forces is that of the laws, with the sums at s to begin
+ * with, and leaves that place's laws; false where there is no such place up to `reach` away. */
 static bool balance(TbSolve *solve, Balance sums, Real reach, Move *move) {
   const Work *work = work_of(solve);
   Real t = REAL(0.0);

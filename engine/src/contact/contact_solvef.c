@@ -31,7 +31,7 @@ static bool wires_touch(const TbSolve *solve, const float *s) {
 
 static bool near(const TbSolve *solve) { return solve->in.near; }
 
-/* What the head adds to the slots' own compliance. */
+/* Adds the head's compliance to the slots' own. */
 static void yield_at_slots(TbSolve *solve) {
   for (uint32_t slot = 0; solve->in.slot_mask >> slot; slot++) {
     if (!tb_contacts_have_slot(&solve->in, slot)) continue;
@@ -75,7 +75,7 @@ static void give_grid(TbSolve *solve) {
   solve->in.kernelsf->widen(solve->in.wire_gridf->size, solve->workf.grid, solve->warm.grid);
 }
 
-/* What the slots add to M x: few numbers, in double as ever. */
+/* Adds the slots' part of M x: few numbers, in double as ever. */
 static void add_slots(TbSolve *solve, const float *x, const float *grid, float *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   TbSolveWorkF *work = &solve->workf;
@@ -91,7 +91,7 @@ static void add_slots(TbSolve *solve, const float *x, const float *grid, float *
   kernels->narrow(TB_SLOTS, moved, out + tb_slot_row(&solve->in.rows, 0));
 }
 
-/* What the stretching of the heads adds to it where no slot is in play. */
+/* Adds the stretching of the heads while no slot is in play. */
 static void add_stretch(TbSolve *solve, const float *grid, float *out) {
   const TbKernelsF *kernels = solve->in.kernelsf;
   TbSolveWorkF *work = &solve->workf;
@@ -118,8 +118,8 @@ static void add_others(TbSolve *solve, const float *x, const float *grid, float 
 
 /* ---- Newton --------------------------------------------------------------------------------- */
 
-/* Forces move as if each row's own yielding and the head's right below it were all. Returns the
- * largest change. */
+/* Moves forces by the diagonal of M alone, each row's compliance and the head's right below
+ * it. Returns the largest change. */
 static float newton_diagonal(TbSolve *solve) {
   const TbSolveWorkF *work = &solve->workf;
   return solve->in.kernelsf->newton_diagonal(total_rows(solve), work->law, work->slope, work->yield,
@@ -191,8 +191,7 @@ static float begin_slots(TbSolve *solve, TbStartF *size) {
                                   work->force + at, work->weight + at, work->solution + at);
 }
 
-/* Takes the input in, and moves forces as if each row's own yielding and the head's right below it
- * were all. Returns the largest change. */
+/* Takes the input in, and moves forces by the diagonal of M alone. Returns the largest change. */
 static float begin(TbSolve *solve, TbStartF *size) {
   const TbWireGridF *grid = solve->in.wire_gridf;
   *size = start_at(solve, 0);

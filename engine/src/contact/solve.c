@@ -48,7 +48,7 @@ TbSolveOutcome tb_solve(TbSolve *solve) {
   outcome.contact = true;
   if ((*method)->solve(solve, &outcome)) return outcome;
   while (*++method) {
-    /* What another precision left is rounded. */
+    /* A start that another precision left is rounded. */
     (*method)->product(solve, solve->warm.force, solve->warm.grid, solve->warm.product);
     if ((*method)->solve(solve, &outcome)) return outcome;
   }

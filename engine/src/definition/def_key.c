@@ -206,7 +206,7 @@ void tb_def_key_nearest(const TaborDrumDef *def, const char *text, char nearest[
   consider_new_names(&search);
 }
 
-/* What stands for a section in a message: an element's name is @p element or, if that is NULL, left
+/* The name of a section in a message: an element's name is @p element or, if that is NULL, left
  * to the user. */
 static void write_section(const TbParam *param, const char *element, char text[TB_DEF_KEY_SIZE]) {
   const bool is_array = tb_group_is_array(param->group);
@@ -214,7 +214,7 @@ static void write_section(const TbParam *param, const char *element, char text[T
   (void)snprintf(text, TB_DEF_KEY_SIZE, "%s%s", param->info.section, is_array ? element : "");
 }
 
-/* What stands before the first dot, with it, is compared where elements have names. */
+/* The text up to the first dot, dot included, is compared if elements have names. */
 void tb_section_nearest(const char *text, char nearest[TB_DEF_KEY_SIZE]) {
   const char *const dot = strchr(text, '.');
   char family[TABOR_NAME_SIZE] = "";

@@ -147,7 +147,7 @@ TaborStatus tabor_drum_def_section(TaborDrumDef *def, const char *section, Tabor
   return tb_error_clear(error);
 }
 
-/* Of a head's tension and pitch the later one counts. */
+/* The later one of a head's tension and pitch counts. */
 static void forget_pitch(TaborDrumDef *def, uint32_t id) {
   if (id == TB_PARAM_BATTER + TB_HEAD_TENSION) def->batter.pitch = 0;
   if (id == TB_PARAM_RESONANT + TB_HEAD_TENSION) def->resonant.pitch = 0;

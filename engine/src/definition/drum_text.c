@@ -17,7 +17,7 @@ static bool is_of_kit(const char *section) {
   return strcmp(section, "kit") == 0 || tb_begins(section, "drum.") || tb_begins(section, "note.");
 }
 
-/* What is read. */
+/* State of the reader. */
 typedef struct Reading {
   TaborDrumDef def;
   bool begun; /* a key has been read */
@@ -80,7 +80,7 @@ static bool same_section(const char *a, const char *b) {
   return length == section_length(b) && memcmp(a, b, length) == 0;
 }
 
-/* What is written. */
+/* State of the writer. */
 typedef struct DrumText {
   const TaborDrumDef *def;
   uint32_t form;

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* What a row says of its value. */
+/* Type, range and default of a row's value. */
 #define NUMBER(low, high, value)                                                                   \
   .type = TABOR_TYPE_NUMBER, .minimum = (low), .maximum = (high), .fallback = (value)
 #define WHOLE(low, high, value)                                                                    \
@@ -16,7 +16,7 @@
 #define FOLLOWS                                                                                    \
   NAN /* the fallback of a wire's value, what [wires] says, and of a lug's, as drawn */
 
-/* Where a row's field is. */
+/* Place of a row's field. */
 #define AT(member) .group = TB_GROUP_SINGLE, .offset = offsetof(TaborDrumDef, member)
 #define SIZED(member) AT(member), .size = sizeof(((TaborDrumDef *)0)->member)
 #define IN_ARRAY(array, type, member)                                                              \

@@ -278,7 +278,7 @@ static void copy_span(char *to, Span span) {
   to[length_of(span)] = '\0';
 }
 
-/* Of a value that is not allowed the value, else the name. */
+/* Points at the value if it is not allowed, else at the name. */
 static TaborStatus place_error(const Line *line, TaborStatus status, TaborError *error) {
   const bool is_value = line->kind == LINE_PAIR && status != TABOR_ERROR_KEY;
   const char *const at = is_value ? line->value.start : line->name.start;

@@ -144,7 +144,7 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }
 
-/* What a plate has not got. */
+/* Refuses what a plate has not got. */
 static TaborStatus check_plate(const TaborDrumDef *def, TaborError *error) {
   if (def->body.kind != TABOR_BODY_PLATE) return TABOR_OK;
   if (def->two_headed == 1) {

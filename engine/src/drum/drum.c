@@ -111,7 +111,7 @@ static uint32_t players(const TaborDrum *drum) {
   return count;
 }
 
-/* What a former model plays on until the new one's sound has come must play the same. */
+/* A former model plays on until the new one's sound has come, and must play the same. */
 static bool play_event(TaborDrum *drum, TbView *view, const TaborEvent *event) {
   const uint32_t price = players(drum) * tb_event_price(event);
   if (drum->at_rest && event->type == TABOR_EVENT_RELEASE) return true; /* nothing is there */

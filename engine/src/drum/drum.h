@@ -11,7 +11,7 @@ typedef struct TbRoute {
   uint32_t count; /* outputs */
 } TbRoute;
 
-/* What a drum gives to the air and takes from it, as its ledger sums it [J]. */
+/* Energy that a drum gives to the air and takes from it, as its ledger sums it [J]. */
 typedef struct TbAirEnergy {
   double radiated; /* below the two-way bandwidth */
   double work;     /* of sound from outside */

@@ -42,7 +42,7 @@ static void respond(TbView *view, double *pressure) {
   }
 }
 
-/* What is no number is silence. */
+/* A value that is no number counts as silence. */
 static double limited(double pressure) {
   if (!(fabs(pressure) >= TB_INCIDENT_LEAST)) return 0.0;
   if (fabs(pressure) <= TB_INCIDENT_MOST) return pressure;

@@ -9,7 +9,7 @@
  * which is right while only tensions, masses, losses or quality changed; if the axis turns by d
  * (TaborModel.axis), copies a and b become a cos(m d) + b sin(m d) and b cos(m d) - a sin(m d). For
  * another radius, boundary or side, and where the drum is to be replaced, the old drum rings out
- * beside the new one. Where the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy
+ * beside the new one. If the steps differ, c = (sin t0/k0)/(sin t1/k1) sqrt(w1/w0): the energy
  * (c sin t1/k1)^2 then follows w1/w0 exactly; what is no mode keeps place and velocity.
  *
  * Sound on its way to the microphones and the high band do not continue on another model. So the
@@ -130,7 +130,7 @@ bool tb_swap_map(TaborSwap *swap) {
 
 /* ---- on the audio thread -------------------------------------------------------------------- */
 
-/* What was the new mode i in an old instant. */
+/* Displacement of the new mode i in an old instant. */
 static double turned(const TbMapping *map, uint32_t i, const double *q) {
   const uint32_t twin = map->twin[i];
   if (twin == TB_NO_MODE) return q[map->mode[i]];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a drum looks like: heads on a polar grid, wires, sticks.
+/* The shape of a drum to the eye: heads on a polar grid, wires, sticks.
  *
  * A head is displaced at radius r_i and angle t_j by a sum over its modes,
  *   w(r_i, t_j) = Sum_m (C_m(r_i) cos(m t_j) + S_m(r_i) sin(m t_j)),

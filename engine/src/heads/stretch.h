@@ -26,8 +26,8 @@
 /* Draft and live (TbStretch.hold): a head whose tension has not risen by a 2 000th for 20 ms, while
  * no stick is in play and no loud sound comes from outside, moves as a linear one until one of
  * these comes or, every 64th step, its tension is found to have risen. The pitch is then 0.4 cents
- * too low at most. What the stretch stores, at most S/(8A) (q^T G q)^2 = (A/2S) dT^2, some 1e-7 J,
- * goes and comes back by control. */
+ * too low at most. The energy of the stretch, at most S/(8A) (q^T G q)^2 = (A/2S) dT^2, some 1e-7
+ * J, goes and comes back by control. */
 
 /* The modes' free motion, into view->next. */
 void tb_stretch_move(TbView *view);

@@ -16,7 +16,7 @@ void tb_high_air_plan(TbHighAirPlan *plan, const TaborDrumDef *def, double from,
   }
 }
 
-/* What the coupling of air and heads may move a mode by, across the lower border. */
+/* The largest shift of a mode by the coupling of air and heads, across the lower border. */
 static const double NEAR_BORDER = 0.8;
 
 /* Lists the modes to look at. Returns their number; `list` may be NULL. */
@@ -36,7 +36,7 @@ static uint32_t list_modes(const TbHighAirPlan *plan, const TbHighCavity *cavity
   return count;
 }
 
-/* What strokes find of each mode; the modes take their part of the heads. */
+/* The part of each mode that strokes find; the modes take their part of the heads. */
 static void look_at(const TbHighAirPlan *plan, TbHighCavity *cavity, TbAirMode *mode,
                     const TbAirChoices *all) {
   for (uint32_t i = 0; i < all->count; i++) {

@@ -23,8 +23,8 @@ enum { MOST_ZEROS = 96, MOST_CANDIDATES = 16384 };
  * more or less. */
 enum { WHOLE_ORDERS = 4 };
 
-/* What the edge and the coupling of modes by the air make of a Bessel function's baffled radiation:
- * pressure per microphone, and resistance. */
+/* The factor on a Bessel function's baffled radiation by the edge and by the air's coupling of
+ * modes: pressure per microphone, and resistance. */
 typedef struct EdgeFactors {
   double field[TABOR_MAX_MICS], resistance;
   double in_head; /* part that the head has of a mode */
@@ -66,7 +66,7 @@ typedef struct Builder {
   uint32_t count;
 } Builder;
 
-/* Of a wave with this Bessel zero, and its mass per area. */
+/* Frequency of a wave with this Bessel zero, and its mass per area. */
 static double frequency(const Builder *b, const Side *side, double zero, double *mass) {
   return tb_sheet_wave_frequency(side->head, &b->drum->def->air, zero / b->drum->body->radius,
                                  mass);
@@ -146,7 +146,8 @@ static bool radiate(const Builder *b, uint32_t head, uint32_t m, double zero, do
 static bool has_air_modes(const Builder *b) { return b->air.to > b->air.from; }
 
 /* Fields of a function at the microphones inside: `in_head` is the part that its head has of it in
- * the mean. What the air rings on by itself is heard of its own modes, or else of this one. */
+ * the mean. Sound of the air that rings on by itself comes from its own modes, or else from this
+ * one. */
 static void fill_inside(const Builder *b, double in_head, TbHighMode *c) {
   const Inside *inside = &b->inside;
   const bool rings = has_air_modes(b) && c->omega < b->air.to;
@@ -181,8 +182,8 @@ static bool meets_air(const Builder *b, uint32_t head) {
   return has_air_modes(b) && b->drum->wired_head != head;
 }
 
-/* What modes of the air take of Bessel function n. The factors of the edge have what they take in
- * the mean. */
+/* The part that modes of the air take from Bessel function n. The factors of the edge have what
+ * they take in the mean. */
 static void leave_to_air(const TbHighCavity *air, const EdgeFactors *edge, uint32_t n,
                          TbHighMode *c) {
   double air_rate;
@@ -229,7 +230,7 @@ static uint32_t head_of(const TbBodyMode *mode) {
   return mode->part == TABOR_PART_RESONANT ? 1 : TB_HEADS;
 }
 
-/* What a force finds of a two-way mode on a head, in the mean over the head: against a Bessel
+/* The mean part of a two-way mode that a force on a head finds: against a Bessel
  * function by itself, of unit modal mass with this slope at the edge. */
 static double part_in_head(const TbBodyOrder *order, uint32_t k, uint32_t head, double slope) {
   const double *v = order->vectors[head] + (size_t)k * order->zero_count;

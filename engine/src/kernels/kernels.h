@@ -27,8 +27,8 @@ enum { TB_MODE_PARTS = 13 };
 
 /* Parts of the modes' arrays: part i has size[i] modes from from[i] on, which stretch the heads
  * whose bits are set in heads[i], 0 to 3. The first mixed[i] of them, a multiple of 8, may mix with
- * others: of parts of the same kin, and of those of kin 0. Those behind them, up to end[i], stretch
- * none. */
+ * others: of parts of the same kin, and of those of kin 0. The modes behind them, up to end[i],
+ * stretch none. */
 typedef struct TbParts {
   uint32_t count, from[TB_MODE_PARTS], size[TB_MODE_PARTS], mixed[TB_MODE_PARTS],
     end[TB_MODE_PARTS], heads[TB_MODE_PARTS], kin[TB_MODE_PARTS];
@@ -85,7 +85,7 @@ typedef struct TbRingPart {
   bool pushed, held;
 } TbRingPart;
 
-/* Of the wires' contacts: Sum f, Sum f^2, Sum f s^2. */
+/* Sums over the wires' contacts: Sum f, Sum f^2, Sum f s^2. */
 typedef struct TbWireContacts {
   double force, square, motion;
 } TbWireContacts;

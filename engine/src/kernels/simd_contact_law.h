@@ -180,7 +180,7 @@ static __attribute__((noinline)) Secant with_knee(const LawLanes *law, uint32_t 
                   vector_pick(beyond, over.rise, below->rise)};
 }
 
-/* What a law gives: see TbContactLawResult. */
+/* Results of a law: see TbContactLawResult. */
 typedef struct LawVectors {
   Vector force, slope, mean;
 } LawVectors;

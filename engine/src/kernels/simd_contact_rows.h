@@ -17,7 +17,7 @@ typedef struct StartSizes {
   Lanes change, depth, force;
 } StartSizes;
 
-/* What a block of rows starts from. */
+/* The start of a block of rows. */
 typedef struct StartBlock {
   Lanes s, y, f;
 #ifdef TB_FLOAT
@@ -102,7 +102,7 @@ static Real newton_finish(uint32_t n, const Real *law, const Real *weight, const
   return largest_of(most);
 }
 
-/* Of a contact and what it rests on: 1 + slope yield. */
+/* Compliance of a contact and of the surface below it: 1 + slope yield. */
 static INLINE Lanes firmness(Lanes slope, Lanes yield) {
   return add(all(REAL(1.0)), multiply_lanes(slope, yield));
 }

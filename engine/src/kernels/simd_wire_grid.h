@@ -195,8 +195,8 @@ static INLINE void lanes_tile(uint32_t lines, uint32_t blocks, uint32_t line, ui
   store_tile(lines, blocks, &tile, wire_grid->half, values + line * wire_grid->half + at);
 }
 
-/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle has no mirror image. What is
- * after the middle is noise. Reads up to 7 elements before x. */
+/* even[j] = x[j] + x[mirror], odd[j] = x[j] - x[mirror]; the middle has no mirror image. The
+ * numbers after the middle are noise. Reads up to 7 elements before x. */
 static void fold(const Bed *wire_grid, const Real *x, Real *even, Real *odd) {
   const uint32_t middle = wire_grid->middle;
   const Real *mirror = x + 2u * (size_t)middle;

@@ -92,7 +92,7 @@ static bool set_value(TaborKit *kit, const TaborEvent *event) {
   return true;
 }
 
-/* What is the kit's own in an event: values and sounds of notes. `offset` is its frame of the
+/* The kit's own part of an event: values and sounds of notes. `offset` is its frame of the
  * piece. */
 static void act(TaborKit *kit, const TaborKitEvent *event, uint32_t offset) {
   const uint32_t note = note_of(event), type = event->event.type;
@@ -150,7 +150,7 @@ static void hear(const TaborKit *kit, uint32_t from, const TbKitVoice *by, uint3
   }
 }
 
-/* What reaches a drum in this piece; NULL: nothing. */
+/* The sound that reaches a drum in this piece; NULL: nothing. */
 static const float *listen(const TaborKit *kit, uint32_t drum, uint32_t frames) {
   TbKitVoice *const voice = &kit->voices[drum];
   bool hears = false;
@@ -379,7 +379,7 @@ const TaborKitDef *tabor_kit_definition(const TaborKit *kit) { return &kit->def;
 
 static const double LOUDEST = 1e15; /* as of a drum's state */
 
-/* What a saved state begins with. Each drum's sound in the air and its own state follow, then the
+/* The beginning of a saved state. Each drum's sound in the air and its own state follow, then the
  * room's state, then a checksum of all these bytes. */
 typedef struct StateHead {
   uint64_t size, frame, dropped, muffled;

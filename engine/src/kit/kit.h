@@ -44,13 +44,13 @@ typedef struct TbKitVoice {
   double passed[2]; /* memory of the low-pass on it */
   uint32_t quiet;   /* frames since it was not 0, up to the ring's length */
   uint8_t before;   /* drum of the kit that is followed, or TABOR_KIT_NEW */
-  /* Of the drum, or NULL: with which it goes on, then those of before that still sound
-   * (drum/tails.h: four). */
+  /* Swaps of the drum, or NULL: the one with which it goes on, then those of before that still
+   * sound (drum/tails.h: four). */
   TaborSwap *swaps[TB_KIT_SWAPS];
   float sound[TABOR_MAX_MICS][TB_KIT_PIECE], heard[TB_KIT_PIECE];
 } TbKitVoice;
 
-/* What is computed at once: some frames of a block. */
+/* Frames of a block that are computed at once. */
 typedef struct TbKitPiece {
   const TaborKitEvent *events; /* [count] of the block; those before `next` have acted */
   uint32_t count, next;

@@ -2,9 +2,9 @@
 /* A kit that goes on with the drums of another one while they ring.
  *
  * Both kits are whole. The follower exchanges drums with the one before: a drum of the same model
- * goes on as it is, one of another model swaps (drum/swap.c). What the other one keeps, drums that
- * are left and a room that is another one, rings on there. Sound on its way in the air goes on as
- * far as the shorter of both rings reaches. */
+ * goes on as it is, one of another model swaps (drum/swap.c). Drums that are left and a room that
+ * is another one ring on in the former kit. Sound on its way in the air goes on as far as the
+ * shorter of both rings reaches. */
 #include <math.h>
 #include <string.h>
 
@@ -71,7 +71,7 @@ TaborStatus tabor_kit_follow(TaborKit *kit, const TaborKit *from, const uint8_t 
 
 /* ---- on the audio thread --------------------------------------------------------------------- */
 
-/* What drum `from` said, as far as it may still be heard. */
+/* The sound of drum `from`, as far as it may still be heard. */
 static void take_sound(TaborKit *kit, TbKitVoice *voice, const TaborKit *other,
                        const TbKitVoice *from) {
   const uint32_t reach = kit->ring < other->ring ? kit->ring : other->ring;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* Where the drums of a kit stand, and what each of them sees from there. Set-up only.
+/* The places of a kit's drums, and the kit as each of them sees it from there. Set-up only.
  *
  * A drum's own frame has its origin in the centre of the batter head, z along the axis, out of the
  * drum. The kit's frame becomes the drum's by a turn by `tilt` about the horizontal axis across

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a drum's model is in the mix of a kit. */
+/* The part of a drum's model in the mix of a kit. */
 #include <math.h>
 
 #include "kit/kit.h"

@@ -7,7 +7,7 @@
 #include "kit/kit_def.h"
 #include "kit/kit_fields.h"
 
-/* What is written. */
+/* State of the writer. */
 typedef struct KitText {
   const TaborKitDef *def;
   uint32_t form;

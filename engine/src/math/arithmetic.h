@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* What the compiler and its options must give the engine; anything else is refused here, in one
- * line. Numbers that are not finite are recognised by comparison, which options that assume finite
- * numbers remove; sums and products must be rounded to their type one by one, or the bits would
- * differ from machine to machine; saved states and stored models hold numbers as a little-endian
- * machine has them; and the kernels are written in the vector types of GCC and clang, as long as
- * two doubles at least. */
+/* The arithmetic that the compiler and its options must give the engine; anything else is refused
+ * here, in one line. Numbers that are not finite are recognised by comparison, which options that
+ * assume finite numbers remove; sums and products must be rounded to their type one by one, or the
+ * bits would differ from machine to machine; saved states and stored models hold numbers as a
+ * little-endian machine has them; and the kernels are written in the vector types of GCC and clang,
+ * as long as two doubles at least. */
 #ifndef TB_ARITHMETIC_H
 #define TB_ARITHMETIC_H
 

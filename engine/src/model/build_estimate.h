@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What building a model takes, from its sizes, before anything is built.
+/* The cost of building a model, from its sizes, before anything is built.
  *
  * Times are sums of the products that set-up computes, each with the time that one takes. The sizes
  * of eigenproblems follow from how many zeros Bessel functions have below a limit, sizes of the
@@ -19,8 +19,8 @@ typedef struct TbBuildCost {
 } TbBuildCost;
 
 double tb_build_seconds(const TbBuildCost *cost);
-/* Of a valid definition, at a quality that is not the default. Pitches count with the search for
- * their tensions. */
+/* Cost of a valid definition, at a quality that is not the default. Pitches count with the search
+ * for their tensions. */
 TaborStatus tb_build_cost(const TaborDrumDef *def, uint32_t quality, double sample_rate,
                           const TaborAllocator *allocator, TbBuildCost *cost, TaborError *error);
 /* Seconds, bytes and the parameter whose half saves most of the time. */

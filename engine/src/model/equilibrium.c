@@ -12,7 +12,7 @@
  * The head is about as stiff as the bed of wires, so a few steps suffice.
  *
  * The shape of a bent wire (wire_shape.h) is a part of eta0, and so of the datum of the
- * penetration. Where wires are, in rest.v and in the state, is counted from that shape. */
+ * penetration. Heights of wires, in rest.v and in the state, are counted from that shape. */
 #include <math.h>
 #include <string.h>
 

@@ -118,7 +118,7 @@ static void fill_modes(TbHighBand *band, const TaborModel *model, const TbHighMo
   }
 }
 
-/* Where the real contact points begin and end along the bed, and how far apart they are. */
+/* First and last real contact point along the bed, and their distance. */
 typedef struct Extent {
   double from, to, step;
 } Extent;
@@ -154,7 +154,7 @@ static void assign_groups(TbHighBand *band, const TbWires *wires) {
   }
 }
 
-/* What a wire does at a place on its head: it loses to the head's own waves, first, what it would
+/* A wire at a place on its head loses to the head's own waves, first, what it would
  * give the air. */
 static void drive_by_wire(const TbHighBand *band, uint32_t head, double x, double y,
                           double *drive) {
@@ -279,7 +279,7 @@ static void fold_groups(const TbHighBand *band, const double *groups, Pushers to
 static const double STEADY = 200.0;  /* [Hz] */
 static const double VANISHED = 16.0; /* 140 dB, as a logarithm */
 
-/* What does not stay of force[n], in its place, if `share` of steady[n] is left. */
+/* Replaces force[n] by its part that does not stay, if `share` of steady[n] is left. */
 static void leave_steady(uint32_t n, float follow, float share, float *force, float *steady) {
   for (uint32_t i = 0; i < n; i++) {
     const float before = share * steady[i];
@@ -410,7 +410,7 @@ void tb_high_band_patch(const TbHighBand *band, double patch_radius, double *pat
   }
 }
 
-/* Of the eight modes from `from` on. */
+/* Sums over the eight modes from `from` on. */
 static void eight_waves(const TbHighBand *band, uint32_t from, double radius, const double *patch,
                         double waves[8]) {
   double x[8]; /* padding follows the last cosine */

@@ -34,7 +34,7 @@
  * most of all from 10 kHz on; 2,048 modes move them by up to 2 dB. 1,024 modes cost a snare drum 7
  * % and a tom 8 %.
  *
- * Of a force that stays, modes would only lean, and scattering, which turns them about their rest,
+ * A force that stays would only make modes lean, and scattering, which turns them about their rest,
  * would make noise of that: thrown off, a snare drum's wires hissed at -86 dBFS for good, by the
  * load that they had taken from the head. So modes are pushed by what is left of a push behind a
  * high-pass filter of first order at 200 Hz, which takes 0.03 dB at 2.5 kHz.

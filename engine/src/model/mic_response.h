@@ -18,7 +18,7 @@
  * kHz at 44.1 kHz and above, where a bilinear transform is off by several decibels. It has no
  * latency.
  *
- * What the curves leave out: they are those of sound from the front and from afar. The boost of
+ * The curves leave out: they are those of sound from the front and from afar. The boost of
  * bass close to a directional microphone, which they would add to, and its directivity are not
  * modelled. */
 #ifndef TB_MIC_RESPONSE_H

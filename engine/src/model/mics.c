@@ -96,7 +96,7 @@ static Weights weights_of(const TaborModel *model, uint32_t index, const TbBodyM
   return w;
 }
 
-/* Of all microphones. */
+/* Weights of one mode at all microphones. */
 static void mode_weights(TaborModel *model, uint32_t i) {
   if (model->modes.row[i] == TB_NO_MODE) return;
   const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];

@@ -8,8 +8,9 @@
 
 struct TaborModel;
 
-/* Steps that a sound comes sooner where two steps make a frame, as long as the way to the output
- * takes (state/halve_rate.h). A microphone closer than that, 14 mm at 48 kHz, hears so much later.
+/* Steps by which a sound is taken earlier if two steps make a frame: the delay of the filter on its
+ * way to the output (state/halve_rate.h). A microphone that is closer than this way of sound, 14 mm
+ * at 48 kHz, hears the rest later.
  */
 enum { TB_HALVE_STEPS = 4 };
 

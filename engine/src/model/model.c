@@ -55,7 +55,7 @@ static const TbKernelsF *kernelsf_of(const TbKernels *kernels) {
 
 /* ---- contacts ------------------------------------------------------------------------------- */
 
-/* What the head does one step after a force. */
+/* Displacement of the head one step after a force. */
 static TaborStatus prepare_compliance(TaborModel *model, TbArena *scratch) {
   (void)scratch;
   return tb_compliance_prepare(&model->compliance, &model->arena, &model->projection,
@@ -490,7 +490,7 @@ TaborStatus tabor_model_estimate(const TaborDrumDef *def, const TaborModelOption
                            error);
 }
 
-/* What does not depend on the heads. */
+/* Sets everything that does not depend on the heads. */
 static TbLevel start(TaborModel *model, const TaborModelOptions *options) {
   model->quality = options->quality;
   model->sample_rate = options->sample_rate;
@@ -507,7 +507,7 @@ static TbLevel start(TaborModel *model, const TaborModelOptions *options) {
   return level;
 }
 
-/* What took longer than its limit, though it was estimated to keep it. */
+/* A build took longer than its limit, though it was estimated to keep it. */
 static TaborStatus late_error(const TaborDrumDef *def, const TaborModelOptions *options,
                               TaborError *error) {
   TaborModelEstimate estimate;

@@ -172,7 +172,7 @@ static uint32_t pad_with_silence(TbModes *modes, uint32_t next) {
   return next;
 }
 
-/* What the list of modes is to be ordered by. */
+/* Keys by which the list of modes is ordered. */
 typedef struct Listing {
   const TbModes *list;
   const TbBody *body;
@@ -218,7 +218,7 @@ static void add_low(TbParts *low, uint32_t from, uint32_t end) {
   low->end[low->count++] = end;
 }
 
-/* Of a group all modes up to the last that is low: most of them are. */
+/* The low part of a group ends with its last low mode: most of them are. */
 static void find_low(TbModes *modes, const Listing *l) {
   modes->low.count = 0;
   for (uint32_t group = 0; group < modes->groups; group++) {

@@ -22,9 +22,9 @@ enum { TB_MODE_RUNS = 3, TB_MODE_SECTIONS = 3 * TB_MODE_RUNS };
  * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
  * wire feels follow. Wires that lack a symmetry have half the groups.
  *
- * Those that no wire feels stand in three runs: the lowest and all that move both heads, the batter
- * head alone, the resonant head alone. A run has three sections: the lowest and those that other
- * drums' sound moves, then the other cosines, then the other sines; with wires, all of these.
+ * The modes that no wire feels stand in three runs: the lowest and all that move both heads, the
+ * batter head alone, the resonant head alone. A run has three sections: the lowest and those that
+ * other drums' sound moves, then the other cosines, then the other sines; with wires, all of these.
  * Angles count from that of the drum's own stroke (TaborModel.axis), which moves no sine. Each
  * section is sorted by frequency, and padded like groups. */
 typedef struct TbModes {
@@ -56,7 +56,7 @@ typedef struct TbModeRanges {
 static inline TbModeRanges tb_modes_all(const TbModes *modes) {
   return (TbModeRanges){modes->padded, modes->padded, 0};
 }
-/* Those that move head `which`. The run of the other head alone is left out: its slopes here are 1
+/* Modes that move head `which`. The run of the other head alone is left out: its slopes here are 1
  * % of its own at most. A hard stroke on bass drum, toms and snare then changes by 0.2 dB in no
  * third octave up to 16 kHz. */
 static inline TbModeRanges tb_modes_of_head(const TbModes *modes, uint32_t which) {
@@ -88,7 +88,7 @@ static inline double tb_pole_energy(double rate, double stiffness, double next, 
  * Audio-safe. */
 void tb_pole_carry(double a0, double b0, double a1, double b1, double ratio, double *now,
                    double *last);
-/* Where something was one step ago, if steps are `ratio` times as long as between `now` and `last`.
+/* Place one step ago, if steps are `ratio` times as long as between `now` and `last`.
  */
 static inline double tb_step_ago(double now, double last, double ratio) {
   return ratio == 1.0 ? last : now - ratio * (now - last);

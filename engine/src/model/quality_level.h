@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a quality level stands for: bandwidths, numbers of modes and contact points, accuracy.
+/* The accuracy of a quality level: bandwidths, numbers of modes and contact points, accuracy.
  * Set-up only. */
 #ifndef TB_QUALITY_LEVEL_H
 #define TB_QUALITY_LEVEL_H

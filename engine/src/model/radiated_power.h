@@ -6,9 +6,9 @@
  * beater moves all modes as one dent, at other frequencies than theirs, and the sounds of modes of
  * one order add up or cancel. So the ledger books what the far field carries: in each direction,
  * order and copy the pressure of all modes, weighed as microphones weigh them (mics.h), squared.
- * What the modes' resistances take beyond that is booked as loss of the heads. Modes of higher
- * orders, or above k R = TB_FAR_TOP, book their own resistance; so do all while sound from outside
- * pushes, since much of their field then is that sound, scattered. Set-up only. */
+ * Energy that the modes' resistances take beyond that is booked as loss of the heads. Modes of
+ * higher orders, or above k R = TB_FAR_TOP, book their own resistance; so do all while sound from
+ * outside pushes, since much of their field then is that sound, scattered. Set-up only. */
 #ifndef TB_RADIATED_POWER_H
 #define TB_RADIATED_POWER_H
 

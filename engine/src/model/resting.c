@@ -70,7 +70,8 @@ static void raise_floor(TaborModel *model, uint32_t mode) {
   }
 }
 
-/* What is not only moved by strikers: by wires, by uneven lugs, by the sound of other drums. */
+/* Modes that are moved not by strikers alone: by wires, by uneven lugs, by the sound of other
+ * drums. */
 static void find_floor(TaborModel *model) {
   const TbModes *modes = &model->modes;
   const TbLugs *lugs = &model->lugs;

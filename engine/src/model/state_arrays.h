@@ -15,8 +15,8 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
 #define TB_STATE_GRID (model->projection.wire_grid.size)
 #define TB_STATE_MODES (model->modes.padded)
 
-/* Those that the view has elsewhere: instants (TbPhase), and workspaces of the solve, which have no
- * name here. */
+/* Arrays that the view has elsewhere: instants (TbPhase), and workspaces of the solve, which have
+ * no name here. */
 #define TB_OTHER_ARRAYS(ARRAY)                                                                     \
   ARRAY(q, TB_DOUBLES, 3, 3, TB_STATE_MODES)                                                       \
   ARRAY(v, TB_DOUBLES, 3, 3, model->wires.node_count)                                              \

@@ -53,7 +53,7 @@ static void polynomials(double x, double *value, double *curve) {
   }
 }
 
-/* Of a sum of these polynomials. */
+/* Value of a sum of these polynomials. */
 static double height(const double *vector, double x) {
   double value[TERMS], curve[TERMS], sum = 0.0;
   polynomials(x, value, curve);

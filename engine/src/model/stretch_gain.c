@@ -77,7 +77,7 @@ static void list_felt(TbStretch *stretch, const TbModes *modes, uint32_t head) {
   }
 }
 
-/* What only pads a part counts no more than what lies behind it. */
+/* Padding of a part counts no more than what lies behind it. */
 static void fill_gain(const TaborModel *model, uint32_t which, double top, double *gain) {
   const TbStretch *stretch = &model->stretch;
   for (uint32_t part = 0; part < stretch->parts.count; part++) {

@@ -10,7 +10,7 @@
  * should, and the other head's rises, too. On the bass drum that is 9 to 12 dB in third octaves of
  * a hard stroke, on toms 4 to 7 dB.
  *
- * Of each order the modes up to a limit take part that stretch one of the heads together with
+ * In each order the modes up to a limit take part that stretch one of the heads together with
  * another mode by more than a part of what the head's softest mode does alone, at equal energies:
  * all terms between these are kept, on both heads. Both copies have the same. Set-up only. */
 #ifndef TB_STRETCH_MIXING_H
@@ -28,7 +28,7 @@ typedef struct TbMixingLimits {
 
 struct TaborModel;
 
-/* Those of a quality: draft and live have single precision, studio and reference double. */
+/* Limits of a quality: draft and live have single precision, studio and reference double. */
 TbMixingLimits tb_mixing_limits(const struct TaborModel *model);
 
 /* Fills model->stretch.mixing, after model->stretch.gain. */

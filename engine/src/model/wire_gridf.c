@@ -15,7 +15,7 @@ static void round_bed(TbWireGrid *wire_grid) {
   }
 }
 
-/* Of one column of a class along, at any lane. */
+/* Value of one column of a class along, at any lane. */
 static double shape_at(const TbWireGrid *wire_grid, uint32_t along, uint32_t column,
                        uint32_t lane) {
   const bool folded = wire_grid->halves == 2, image = folded && lane > wire_grid->middle;

@@ -65,7 +65,7 @@ static double mean_taken(const TbWire *wire, Contact contact, Wave wave) {
   return sum / ANGLES;
 }
 
-/* Of the rectangle, along the bed, around all contact points. */
+/* Sides of the rectangle, along the bed, around all contact points. */
 static double perimeter(const TbWires *wires) {
   double least[2] = {INFINITY, INFINITY}, most[2] = {-INFINITY, -INFINITY};
   for (uint32_t row = 0; row < wires->stride; row++) {
@@ -83,7 +83,7 @@ static double step_of(const TbWireHold *hold) {
   return tb_log(hold->top / hold->bottom) / (TB_HOLD_BANDS - 1u);
 }
 
-/* S. Where x = 1 it is (pi/4)^2. */
+/* S. At x = 1 it is (pi/4)^2. */
 static double share_of(double x) {
   const double away = 1.0 - x * x;
   const double root = fabs(away) < 1e-6 ? 0.25 * PI : tb_cos(0.5 * PI * x) / away;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What wires in contact take from the high band's modes.
+/* Energy that wires in contact take from the high band's modes.
  *
  * A high mode moves the head under the wires, but the contact solve does not see this motion
  * (high_band.h). In fact wires follow it, and bounce from it, and so damp it. Three things decide
@@ -16,7 +16,7 @@
  *    some 6 kHz; below, the wire follows and takes next to nothing.)
  * 2. A wire that bounces lands harder on a head that comes to meet it. If it lands with the speed
  *    u, the impulse grows by the fraction v/u, which makes a resistance f/u. That holds for waves
- *    slow against the contact. Of a contact that lasts half a period of its resonance, omega_r^2 =
+ *    slow against the contact. In a contact that lasts half a period of its resonance, omega_r^2 =
  *    kappa/mu, faster waves see the spectrum of a half sine, with x = omega/omega_r:
  *      D = (f/u) S,  S = (cos(pi x/2)/(1 - x^2))^2,
  *    and lose D/(1 + Y D)^2. Points that touch all the time do not bounce; of N points, those that

@@ -16,11 +16,11 @@ static const double PI = 3.14159265358979323846;
 /* No oscillator is faster than this part of the rate. */
 static const double FASTEST = 0.35;
 
-/* What A and B get on their diagonals, relative to the largest of A's, so that A has an inverse
- * where the grid has shapes that no mode moves. */
+/* Addition to the diagonals of A and B, relative to the largest of A: A then has an inverse even if
+ * no mode moves some shapes of the grid. */
 static const double FLOOR = 1e-6;
 
-/* Of the top to the two-way bandwidth. */
+/* Least ratio of the top to the two-way bandwidth. */
 static const double LEAST_RATIO = 1.2;
 
 enum { MOST_ZEROS = 96 };

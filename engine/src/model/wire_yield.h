@@ -8,20 +8,20 @@
  *
  * The modes above are the Bessel functions of the wires' head by itself, each with the mass of the
  * air on both sides (head_waves.h), from omega_c up to omega_t, the top of what is heard. On the
- * grid under the wires (wire_grid.h), mode i of unit mass has the shape c_i. Of each symmetry class
+ * grid under the wires (wire_grid.h), mode i of unit mass has the shape c_i. In each symmetry class
  * the grid feels two matrices,
  *   A = Sum c_i c_i^T,  B = Sum c_i c_i^T/omega_i^2,
  * the inverse mass at high frequency and the compliance at low frequency. Both are kept by as many
  * modes as the class has points: with B v = lambda A v, v^T A v = 1, their shapes on the grid are
  * A v and their frequencies lambda^(-1/2). Thousands of modes are thus replaced by a few hundred,
- * which belong to TbModes like others, except that no microphone and no striker knows them.
+ * which belong to TbModes like others, but are neither heard nor struck.
  *
  * Each decays by (omega_t - omega_c)/2: waves as short as these leave the wires, and what the rim
  * returns is left to the high band (high_band.h). Without losses, these modes keep the energy.
  *
- * Limits: A and B are those of the truncated modes on the grid. What differs between neighbouring
- * wires more than the grid can represent does not yield. Where omega_t is within LEAST_RATIO of
- * omega_c, nothing to speak of is missing. */
+ * Limits: A and B are those of the truncated modes on the grid. A difference between neighbouring
+ * wires that the grid cannot represent does not yield. If omega_t is within LEAST_RATIO of omega_c,
+ * nothing to speak of is missing. */
 #ifndef TB_WIRE_YIELD_H
 #define TB_WIRE_YIELD_H
 

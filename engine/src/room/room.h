@@ -13,7 +13,7 @@
  * direction in which its ray leaves.
  *
  * Late sound. A drum heard with the energy 1 at 1 m fills a diffuse field with 16 pi/A, which
- * decays with T from the moment of the stroke. What is left of it after the mean free path 4 V/S,
+ * decays with T from the moment of the stroke. Its rest after the mean free path 4 V/S,
  * (16 pi/A) exp(-A/S), is the late sound's; what came before is the first reflections'. Thirty-two
  * delay lines of prime lengths, in geometric order over 0.55 to 1.8 mean free paths, feed each
  * other through a Hadamard matrix H,
@@ -22,14 +22,15 @@
  *   filter_i(z) = g (1 - b)/(1 - b/z), with g = 10^(-3 M_i k/T0) and the same law for T8 at 8 kHz.
  *
  * H/sqrt(32) is orthogonal and |filter| < 1, so energy can only fall, and all modes of the network
- * decay with T(f). Of the energy in all lines a pass leaves G, the mean of g^2: a feed of energy 1
- * gives G/(1 - G), by which the late sound is normalised. Feeds and microphones have orthogonal
- * rows of signs, so that microphones hear different sound. Where T0 is long for the size, lines are
- * longer, so that the network's modes lie dense enough to overlap: 0.45 T0 of them a hertz.
+ * decay with T(f). A pass leaves the part G of the energy in all lines, the mean of g^2: a feed of
+ * energy 1 gives G/(1 - G), by which the late sound is normalised. Feeds and microphones have
+ * orthogonal rows of signs, so that microphones hear different sound. If T0 is long for the size,
+ * lines are longer, so that the network's modes lie dense enough to overlap: 0.45 T0 of them a
+ * hertz.
  *
  * Microphones. The room hears the sound pressure: what a feed's frequency response does is undone
- * first, by the inverse of that filter, which is stable (model/mic_response.h). What the room sends
- * to a microphone passes the response of that microphone, as does what the drum sends there.
+ * first, by the inverse of that filter, which is stable (model/mic_response.h). Sound that the room
+ * sends to a microphone passes the response of that microphone, as does what the drum sends there.
  *
  * Limits: the drum stands upright, its centre at 0.43 of the length, 0.37 of the width and 0.7 m
  * above the floor; microphones beyond a wall stand before it, and those inside the drum hear no
@@ -96,7 +97,7 @@ struct TaborRoom {
   TbRoomState *state;
 };
 
-/* Fills in everything but allocator and state. Of a room of kind none only info.kind. */
+/* Fills in everything but allocator and state. For a room of kind none only info.kind is set. */
 void tb_room_plan(TaborRoom *room, const TaborDrumDef *def, double sample_rate);
 /* True if both are the same room around the same drum, so that one may go on with the other's
  * state. */

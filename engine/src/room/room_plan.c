@@ -27,7 +27,7 @@ static const struct {
   [TABOR_ROOM_HALL] = {{20.0, 15.0, 9.0}, 1.5, 0.9 / 1.5},
 };
 
-/* What follows from the definition alone. */
+/* Values that follow from the definition alone. */
 typedef struct Hall {
   double size[3], drum[3]; /* [m] */
   double rate, sound_speed;
@@ -80,7 +80,7 @@ static bool is_prime(uint32_t n) {
   return n > 1;
 }
 
-/* What a line of `frames` keeps of an amplitude that falls by 60 dB in `decay`. */
+/* The part that a line of `frames` keeps of an amplitude that falls by 60 dB in `decay`. */
 static double kept_by(const Hall *hall, uint32_t frames, double decay) {
   return tb_exp(-3.0 * LN10 * frames / (hall->rate * decay));
 }

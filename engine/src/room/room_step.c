@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a room does with a piece of sound. Loops run over frames within a line, so that compilers
+/* Response of a room to a piece of sound. Loops run over frames within a line, so that compilers
  * can use vectors without changing the order of any sum. */
 #include <math.h>
 #include <string.h>
@@ -111,7 +111,7 @@ static void mix(uint32_t frames, Piece *lines) {
   }
 }
 
-/* What goes into each line; adds its power. */
+/* Input of each line; adds its power. */
 static void inject(const TaborRoom *room, Piece *feeds, uint32_t frames, Piece *lines,
                    float *power) {
   for (uint32_t line = 0; line < TB_ROOM_LINES; line++) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a drum's state has of its energy account (step/energy.h). */
+/* The energy account's part of a drum's state (step/energy.h). */
 #ifndef TB_LEDGER_STATE_H
 #define TB_LEDGER_STATE_H
 

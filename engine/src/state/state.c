@@ -3,7 +3,7 @@
 
 #include "model/state_layout.h"
 
-/* Where the arrays begin, whose places the model's layout tells. */
+/* Begin of the arrays, whose places the model's layout tells. */
 static const size_t HEADER = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
 
 size_t tb_state_head_bytes(void) { return HEADER; }

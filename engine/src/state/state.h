@@ -94,7 +94,7 @@ static inline void tb_view_lift(TbView *view, bool lifted) {
 static inline TbSlot *tb_slot(const TbView *view, uint32_t slot) {
   return &view->state->strikers.slots[slot];
 }
-/* Of a stick on head and hoop; otherwise the slot itself. */
+/* The other end of a stick on head and hoop; otherwise the slot itself. */
 static inline uint32_t tb_slot_other_end(const TbView *view, uint32_t slot) {
   const TbSlot *s = tb_slot(view, slot);
   return tb_slot_is_end(s) ? s->end.other : slot;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a step knows of stretching heads (heads/stretch.h). */
+/* A step's data of stretching heads (heads/stretch.h). */
 #ifndef TB_STRETCH_VIEW_H
 #define TB_STRETCH_VIEW_H
 

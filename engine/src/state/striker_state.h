@@ -7,7 +7,7 @@
 #include "contact/solve.h"
 #include "model/model.h"
 
-/* What a slot holds. */
+/* Contents of a slot. */
 typedef enum TbSlotKind {
   TB_SLOT_FREE,
   TB_SLOT_TIP,      /* a striker that touches in one place, head or hoop */
@@ -46,7 +46,7 @@ typedef struct TbHold {
   double resistance, push; /* of bristles or of a pressed shaft [N s/m]; a further force [N] */
 } TbHold;
 
-/* Where a stick touches: see stick.h. */
+/* The place where a stick touches: see stick.h. */
 typedef struct TbStickEnd {
   uint32_t bends;        /* 0: it is stiff, or no stick */
   uint32_t grip;         /* a TbGrip, if it bends */

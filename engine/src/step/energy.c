@@ -67,7 +67,7 @@ static double contacts_energy(const TbView *view, const TbPhase *next, const TbP
   return 0.5 * sum;
 }
 
-/* Of strikers, their contacts, and what the head yields to them by its truncated modes. */
+/* Energy of strikers, of their contacts, and of the head's truncated modes under them. */
 static double strikers_energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
   double sum = 0.0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {

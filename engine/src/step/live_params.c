@@ -31,7 +31,7 @@ static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
 }
 
-/* What the live values make of one wire. */
+/* Applies the live values to one wire. */
 static void apply_wire(TbView *view, uint32_t w) {
   const TaborModel *model = view->model;
   const TbWire *wire = &model->wires.wires[w];
@@ -185,7 +185,7 @@ static void move_mufflers(TbView *view) {
   tb_pool_muffle(view);
 }
 
-/* Where wires end moves sample by sample: larger steps would knock. How tense and damped they are
+/* The wires' ends move sample by sample: larger steps would knock. How tense and damped they are
  * does not. */
 static void move_wires(TbView *view) {
   TbLiveParam *live = view->state->live.values;

@@ -17,8 +17,8 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
 void tb_live_params_gain(TbView *view, double value, bool at_once);
 /* Advances that move by one sample; returns the gain. */
 double tb_live_params_gain_step(TbState *state);
-/* Copies the values `live` to a drum at rest. Those of wires are not copied but approached, because
- * the wires lie on the head; returns true if one of them has to move. */
+/* Copies the values `live` to a drum at rest. Values of wires are not copied but approached,
+ * because the wires lie on the head; returns true if one of them has to move. */
 bool tb_live_params_keep(TbView *view, const TbLiveParam *live);
 /* True if all live values and the gain are in their ranges. */
 bool tb_live_params_in_range(const TbState *state);

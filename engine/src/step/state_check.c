@@ -177,7 +177,7 @@ static bool flags(const TaborModel *model, const TbState *state) {
          state->event_debt <= TB_DEBT_MOST && state->mics.heard >> model->def.mic_count == 0;
 }
 
-/* What moves without strikers never rests. */
+/* Modes that move without strikers never rest. */
 static bool moving(const TaborModel *model, const TbState *state) {
   const TbParts *parts = &model->stretch.parts;
   for (uint32_t i = 0; i < parts->count; i++) {

@@ -48,7 +48,7 @@ static void free_wires(TbView *view) {
   tb_pluck_pull(view);
 }
 
-/* Where head and wires would be without contact forces, into view->next. */
+/* Places of head and wires without contact forces, into view->next. */
 static void free_motion(TbView *view) {
   TB_STAGE(MODES);
   tb_stretch_move(view);
@@ -73,8 +73,8 @@ static double law_of_sum(const TbView *view, uint32_t slot) {
   return tb_slot_strikes(tb_slot(view, slot)) ? 1.0 : 0.0;
 }
 
-/* b: the change of penetration over two steps without contact forces, with the load at rest. Where
- * a law acts on a sum, that stands in view->last.eta until respond() takes it out again. */
+/* b: the change of penetration over two steps without contact forces, with the load at rest. If a
+ * law acts on a sum, the sum stands in view->last.eta until respond() takes it out again. */
 static void free_penetration(TbView *view) {
   const TaborModel *model = view->model;
   _Alignas(64) double slots[TB_SLOTS] = {0.0};
@@ -102,7 +102,7 @@ static void free_penetration(TbView *view) {
   }
 }
 
-/* What the wires' forces, counted from rest, do to modes: into view->modal. */
+/* Forces of the wires on the modes, counted from rest: into view->modal. */
 static void force_modes(TbView *view) {
   const TaborModel *model = view->model;
   model->kernels->subtract(model->projection.wire_grid.size, view->solve.warm.grid,
@@ -110,7 +110,7 @@ static void force_modes(TbView *view) {
   tb_wire_motion_of(view)->project_forces(view);
 }
 
-/* What the wires' contact forces do, which are those of the last step if `unchanged`. */
+/* Adds the effect of the wires' contact forces, which are those of the last step if `unchanged`. */
 static void respond_to_wires(TbView *view, bool unchanged) {
   const TaborModel *model = view->model;
   const TbModes *modes = &model->modes;
@@ -206,7 +206,7 @@ static void forget_forces(TbView *view) {
   view->mics.ear = TB_NO_EAR;
 }
 
-/* Energy that the contacts took, and the losses of all parts. Where the forces would create energy,
+/* Energy that the contacts took, and the losses of all parts. If the forces would create energy,
  * the guard shortens the step first. */
 static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
   const bool shortened = outcome->excess > 0.0 && tb_energy_guard(view);

@@ -55,7 +55,7 @@ typedef struct Place {
   double radius, angle; /* [m], [deg] */
 } Place;
 
-/* Of a group whose brush has its middle at x, y. */
+/* Place of a group whose brush has its middle at x, y. */
 static Place place_of(const TbView *view, const TbBrush *brush, uint32_t group) {
   const double spread = GROUP_RADIUS * view->model->def.striker[brush->definition].spread;
   double sine, cosine;
@@ -101,7 +101,7 @@ static bool sounded(const TbView *view, uint32_t b) {
   return false;
 }
 
-/* How little a brush would be missed: 3 is not in use, 0 must stay. */
+/* Rank for being replaced: 3 is free, 0 must stay. */
 static uint32_t spare(const TbView *view, uint32_t b, uint32_t id) {
   const TbBrush *brush = &view->state->strikers.brushes[b];
   if (!brush->active) return 3;

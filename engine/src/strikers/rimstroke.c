@@ -3,9 +3,9 @@
 
 #include "strikers/stick.h"
 
-/* Of a cross-stick: the palm on the head [N s/m]; the force [N] and the resistance [N s/m] of the
- * hand on the shaft. All were fitted to recorded cross-sticks, within 30 to 300 N s/m, 0 to 40 N
- * and 0 to 5 N s/m. */
+/* Cross-stick: the palm on the head [N s/m]; the force [N] and the resistance [N
+ * s/m] of the hand on the shaft. All were fitted to recorded cross-sticks, within 30 to 300 N s/m,
+ * 0 to 40 N and 0 to 5 N s/m. */
 static const double PALM = 60.0, PRESS = 12.0, RESISTANCE = 1.0;
 
 /* A striker with its serial number, yet to be placed. */

@@ -11,7 +11,7 @@ static double clamp(double value, double minimum, double maximum) {
   return value < minimum ? minimum : (value > maximum ? maximum : value);
 }
 
-/* C_ij of two places, in distances from the tip. Of height and angle at the tip, twice the kinetic
+/* C_ij of two places, in distances from the tip. In height and angle at the tip, twice the kinetic
  * energy is mass v^2 + 2 first v w + second w^2; C_ij is (1, x_i) in its inverse. */
 static double mobility(const TbStickBody *body, double a, double b) {
   return (body->second - body->first * (a + b) + body->mass * a * b) /

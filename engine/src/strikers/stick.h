@@ -79,9 +79,9 @@ double tb_stick_flexibility(const TbView *view, uint32_t slot, uint32_t other);
 double tb_stick_bending(const TbView *view, uint32_t slot, const TbPhase *next, const TbPhase *now);
 /* Energy that this bending loses in a step [J]. */
 double tb_stick_loss(const TbView *view, uint32_t slot);
-/* What a unit force at the stick's end `other`, which may be the same, does to the height of a
- * slot's end in one step, without bending [m/N]; and this end's next height without contact forces
- * [m]. Both need a slot that is an end. */
+/* Displacement of a slot's end in one step by a unit force at the stick's end `other`, which may be
+ * the same, without bending [m/N]; and this end's next height without contact forces [m]. Both need
+ * a slot that is an end. */
 double tb_stick_compliance(const TbView *view, uint32_t slot, uint32_t other);
 double tb_stick_free_height(const TbView *view, uint32_t slot);
 /* A slot's part of twice the kinetic energy of its body between two instants [J]. */

@@ -9,7 +9,7 @@
 const double tb_hold_lift_time = 0.03;
 static const double LIFT = 0.5; /* so hard it pulls in the end: 5 mm in 16 ms [N] */
 
-/* What a hand does where it presses a stick: at its tip, or at the shaft of one that lies across
+/* The force of a hand that presses a stick: at its tip, or at the shaft of one that lies across
  * the drum. */
 typedef struct Hand {
   double force, stiffness, damping;
@@ -88,7 +88,7 @@ void tb_hold_lift(TbView *view, uint32_t slot) {
   tb_slot(view, tb_slot_other_end(view, slot))->id = 0;
 }
 
-/* What is left of a force at the part `u` of the time in which it goes: from 1 to 0 without a kink,
+/* The rest of a force at the part `u` of the time in which it goes: from 1 to 0 without a kink,
  * which would sound. */
 static double left_at(double u) { return u < 1.0 ? (1.0 - u) * (1.0 - u) * (1.0 + 2.0 * u) : 0.0; }
 

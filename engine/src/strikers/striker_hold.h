@@ -22,7 +22,7 @@ double tb_hold_force(double pressure);
 void tb_hold_pull_up(const TbView *view, uint32_t slot);
 /* How long this takes [s]. */
 extern const double tb_hold_lift_time;
-/* What a unit force at a striker does to its own height in one step, hand included [m/N]. */
+/* Displacement of a striker in one step by a unit force on itself, hand included [m/N]. */
 double tb_hold_compliance(const TbView *view, uint32_t slot);
 /* Height of a striker at the next instant without contact force. */
 double tb_hold_free_height(const TbView *view, uint32_t slot);

@@ -22,7 +22,7 @@ static bool in_play(const TbView *view, uint32_t slot) {
   return tb_slot_in_play(tb_slot(view, slot));
 }
 
-/* What two slots in play share besides the drum over one step: the stick. */
+/* Compliance that two slots in play share besides the drum over one step: the stick. */
 static double shared_compliance(const TbView *view, uint32_t slot, uint32_t other) {
   const TbSlot *a = tb_slot(view, slot);
   double sum = 0.0;
@@ -140,7 +140,7 @@ void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
   }
 }
 
-/* Of a striker: its tip is in the head by this much. */
+/* Penetration of a striker: its tip is in the head by this much. */
 static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *phase) {
   return tb_pool_displacement(view, slot, phase->q) +
          tb_truncated_modes_displacement(tb_slot_truncated(view, slot), phase->truncated[slot]) -
@@ -148,7 +148,7 @@ static double penetration_at(const TbView *view, uint32_t slot, const TbPhase *p
          (tb_slot(view, slot)->end.bends ? tb_stick_bow(view, slot, phase) : 0.0);
 }
 
-/* What the ranges leave out does not move at this place. */
+/* Clears the modes that the ranges leave out, which do not move at this place. */
 static void clear_others(const TbModes *modes, TbModeRanges kept, double *shape) {
   for (uint32_t i = kept.first; i < modes->padded; i++) {
     if (i - kept.from >= kept.size) shape[i] = 0.0;
@@ -184,7 +184,7 @@ static void find_place_on_hoop(TbView *view, uint32_t slot) {
   s->rest_height = model->def.hoop.height;
 }
 
-/* What the modes are at a slot's place on head or hoop. */
+/* Finds the modes' shapes at a slot's place on head or hoop. */
 static void find_place(TbView *view, uint32_t slot) {
   if (tb_slot(view, slot)->on_hoop) {
     find_place_on_hoop(view, slot);
@@ -407,7 +407,7 @@ void tb_pool_put_pair(TbView *view, const uint32_t pair[2], const TbSlot *tip, c
   tb_coupling_renew(view);
 }
 
-/* Off and away: nothing touches, nor will it in a moment. */
+/* True if a striker moves away and touches nothing, nor will in a moment. */
 static bool is_leaving(const TbView *view, uint32_t slot) {
   const double gap = -view->now.eta[tb_slot_row(&view->model->rows, slot)];
   const TbSlot *s = tb_slot(view, slot);

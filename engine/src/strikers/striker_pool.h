@@ -50,7 +50,7 @@ void tb_pool_take_away(TbView *view, uint32_t slot);
 bool tb_pool_sounded(const TbView *view, uint32_t slot);
 /* True if the striker touches the head or the hoop, with either end. */
 bool tb_pool_touches(const TbView *view, uint32_t slot);
-/* What a striker's contact stores between two instants [J]. */
+/* Energy that a striker's contact stores between two instants [J]. */
 double tb_pool_contact_energy(const TbView *view, uint32_t slot, const TbPhase *next,
                               const TbPhase *now);
 /* Raises the head's surface under a striker by `by` [m]; the work is a hand's. */

@@ -38,8 +38,8 @@
 #define TB_PRANDTL 0.71               /* Pr of air */
 #define TB_HEAT_RATIO 1.4             /* gamma of air */
 /* Coordinates of an order at most. A tom's lowest orders have 220 below 16 kHz, a deep shell under
- * a tense head would have thousands. Where this bites, the lowest orders end first and the highest
- * not at all, so that together they fade out. */
+ * a tense head would have thousands. If this limit acts, the lowest orders end first and the
+ * highest not at all, so that together they fade out. */
 #define TB_CAVITY_COORDINATES 640u
 #define TB_CAVITY_OPENINGS 128u /* more than an order of a head has zeros: see head.c */
 

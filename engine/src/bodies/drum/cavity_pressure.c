@@ -100,7 +100,7 @@ static Complex rest_of_axial(Complex square, uint32_t kept, double d, double dep
 
 /* ---- one mode ------------------------------------------------------------------------------- */
 
-/* What the microphones share. */
+/* Data that the microphones share. */
 typedef struct Motion {
   const TbCavityOrder *order;
   const TbCavity *cavity;

@@ -122,8 +122,8 @@ static double highest_coordinate(const TbCavityEigen *drum, double limit) {
 
 /* ---- how many modes there are ---------------------------------------------------------------- */
 
-/* Of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie below the zero
- * z. */
+/* Modes of a head by itself with the air's mass rho0/K on each side: about z^2/4 - z/2 lie
+ * below the zero z. */
 static double head_modes_below(const TbCavityEigen *drum, const TaborHeadDef *head, double omega) {
   double lo = 0.0, hi = 1000.0;
   for (int i = 0; i < 50; i++) {
@@ -209,7 +209,7 @@ double tb_closed_drum_air_modes(const TaborDrumDef *def, double omega) {
 
 /* ---- one mode -------------------------------------------------------------------------------- */
 
-/* What a mode's parts carry: masses of the heads themselves and of the rim, the heads' loss, v^T C
+/* Parts of a mode: masses of the heads themselves and of the rim, the heads' loss, v^T C
  * v, and the rim's motion. */
 typedef struct Parts {
   double head_mass[TB_HEADS], cavity_mass, rim_mass;
@@ -289,7 +289,7 @@ bool tb_closed_drum_shell(const TaborDrumDef *def, TbArena *arena, TbShellMesh *
   return tb_shell_prepare(shell, arena, def->shell.depth / def->shell.radius, points, count);
 }
 
-/* What a mode meets outside at one frequency. */
+/* Load of the air outside on a mode at one frequency. */
 typedef struct Outside {
   double x;
   double part;          /* 1: the shell's load alone, 0: that of air.h alone */

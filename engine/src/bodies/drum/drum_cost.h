@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What the set-up of a drum's modes takes: see model/build_estimate.h. Set-up only. */
+/* Cost of the set-up of a drum's modes: see model/build_estimate.h. Set-up only. */
 #ifndef TB_DRUM_COST_H
 #define TB_DRUM_COST_H
 

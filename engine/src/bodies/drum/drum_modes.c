@@ -48,7 +48,7 @@ double tb_drum_basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits lim
   return top + (def->air.density > 0.0 ? 2.0 * PI : 0.0);
 }
 
-/* What the orders of a drum share. */
+/* Data that the orders of a drum share. */
 typedef struct Shared {
   const TaborDrumDef *def;
   const TbShellMesh *shell; /* NULL: no air outside a shell */

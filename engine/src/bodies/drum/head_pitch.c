@@ -71,7 +71,7 @@ typedef struct Trial {
   double tension, square;
 } Trial;
 
-/* Where the line through two trials has the wanted square. */
+/* The tension at which the line through two trials has the wanted square. */
 static double secant(Trial a, Trial b, double wanted) {
   return b.tension + (wanted - b.square) * (b.tension - a.tension) / (b.square - a.square);
 }

@@ -20,7 +20,7 @@ enum { TB_PITCH_ZEROS = 16 };
  * than 0.1 cents. */
 #define TB_PITCH_TOP 40.0
 
-/* What does not depend on heads: the air around the shell of one drum. */
+/* Data that does not depend on the heads: the air around the shell of one drum. */
 typedef struct TbPitchAir {
   TbArena arena;
   double zeros[TB_PITCH_ZEROS];

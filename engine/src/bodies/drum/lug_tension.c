@@ -50,7 +50,7 @@ bool tb_lug_tension_prepare(TbLugTension *field, const TaborHeadDef *head, doubl
   return !even;
 }
 
-/* Of one harmonic: what stands at cos p t, cos p t and sin p t, in this order. */
+/* Coefficients of one harmonic: what stands at cos p t, cos p t and sin p t, in this order. */
 static TbTension harmonic(uint32_t p, double r) {
   if (p == 0) return (TbTension){.rr = 1.0, .tt = 1.0};
   if (p == 1) return (TbTension){.rr = r, .tt = 3.0 * r, .rt = r};

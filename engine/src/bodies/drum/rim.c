@@ -24,7 +24,7 @@ static void prepare_hoop(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   rim->tie_loss = hoop->tie_loss;
 }
 
-/* Of one end's circumference, per W^2. */
+/* Stiffness of one end's circumference, per W^2. */
 static double sheet_stiffness(const TaborHeadDef *head, uint32_t n) {
   const double kappa = (3.0 - POISSON) / (1.0 + POISSON);
   const double a = 0.5 * (1.0 - 1.0 / n), b = 0.5 * (1.0 + 1.0 / n);

@@ -17,9 +17,9 @@ static const double PI = 3.14159265358979323846;
  * wavelength. */
 enum { AROUND = 256, PANELS = 3, LEVELS = PANELS * TB_PANEL };
 
-/* Points around half the wall. Of the sources' n waves and the k r of the path's length the sum is
- * exact with as many points; what the distance adds falls by e^-eta from one to the next, cosh eta
- * = (r^2 + R^2)/(2 r R) at the level of the microphone. */
+/* Points around half the wall. With as many points the sum is exact for the sources' n waves and
+ * the k r of the path's length; what the distance adds falls by e^-eta from one to the next, cosh
+ * eta = (r^2 + R^2)/(2 r R) at the level of the microphone. */
 static uint32_t points_around(uint32_t n, double wavenumber, double radius, double r) {
   const double nearer = fmin(r, radius), ratio = fmax(r, radius) / fmax(nearer, 1e-6 * radius);
   const double waves = n + wavenumber * nearer, eta = tb_log(ratio);

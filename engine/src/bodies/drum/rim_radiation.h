@@ -29,8 +29,7 @@
  *   I = (m'/rho0) Int_0^2pi cos(n t) (z/s^3) (1 + i k s) e^{-i k s}/(4 pi) dt, z above the ring,
  *   P = (pi/(2 rho0 c0)) (omega^2 m' k R |a|/2)^2 Int_0^pi [cos t J_n(k R sin t)]^2 sin t dt;
  *   I: the same with r cos t - R instead of z, P: with sin t J_n'(k R sin t) in place of cos t J_n,
- * twice these P for n = 0. Of both together no power is the product: one is even in cos t, the
- * other odd.
+ * twice these P for n = 0. Their product has no power: one is even in cos t, the other odd.
  *
  * Limits: for k -> 0, P vanishes with k^(2n+6) for the wall, with k^(2n+6) for the hoop's width,
  * k^(2n+2) for its wall; far away the fields are the square roots of what P integrates. Set-up
@@ -62,9 +61,9 @@ double tb_strip_resistance(TbStripMotion motion, uint32_t n, double omega, const
 /* A/a: how far the middle of the hoop's wall moves outward while the hoop moves upward. */
 double tb_hoop_lean(const TaborDrumDef *def, uint32_t n);
 
-/* Adds the rim's sound to fields and radiation of a mode of unit mass. Where the mode has a far
- * field (far_field.h), the radiation is that of the heads' and the rim's sound together; elsewhere
- * as if they radiated apart. */
+/* Adds the rim's sound to fields and radiation of a mode of unit mass. If the mode has a far field
+ * (far_field.h), the radiation is that of the heads' and the rim's sound together; elsewhere as if
+ * they radiated apart. */
 void tb_rim_radiate(const TbRim *rim, const TaborDrumDef *def, TbRimMotion motion,
                     TbBodyMode *mode);
 

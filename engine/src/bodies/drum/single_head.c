@@ -12,7 +12,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* What one order needs while it is built. */
+/* Data of one order while it is built. */
 typedef struct OrderWork {
   const TaborDrumDef *def;
   const TbRim *rim;

@@ -16,7 +16,7 @@ static double modified_ratio(uint32_t m, double l) {
   return l * ratio;
 }
 
-/* What moment and shear of both functions are at the edge, up to common factors. */
+/* Moment and shear of both functions at the edge, up to common factors. */
 typedef struct Edge {
   double j, slope, q;
   double moment_j, moment_i, shear_j, shear_i;

@@ -70,7 +70,7 @@ static double basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits limi
   return fmin(BASIS_PER_LAMBDA * lambda + BASIS_MORE, TB_TOP_ZERO);
 }
 
-/* What the orders of a plate share. */
+/* Data that the orders of a plate share. */
 typedef struct Shared {
   const TaborDrumDef *def;
   double omega_per_square; /* of lambda [rad/s] */

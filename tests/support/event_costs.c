@@ -4,9 +4,10 @@
  * events and letters of kinds, which take turns: `1000sh` is 500 strokes and 500 silences. Kind `?`
  * is one of all kinds, by chance.
  *
- *     s b r c  strokes: plain, buzz, rimshot, cross-stick      X Y  swap, replacement by another
- *     model
- *     p d l m  press, damping hand, release, move              h R  silence, reset
+ *     s b r c  strokes: plain, buzz, rimshot, cross-stick
+ *     p d l m  press, damping hand, release, move
+ *     X Y      swap, replacement by another model
+ *     h R      silence, reset
  *     g t u    gain, wire tension, muffling */
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,12 +10,11 @@
  *     wait TEXT      waits until the screen shows it; gives up with status 1 after a minute
  *     gone TEXT      waits until the screen no longer shows it
  *     read FILE TEXT waits until a line of the file has the text; gives up likewise
- *     type TEXT      \e is Escape, \r Enter, \t Tab, \xHH any byte; prints "typed SECONDS" (a
- *     monotonic clock)
+ *     type TEXT      \e is Escape, \r Enter, \t Tab, \xHH any byte; prints "typed SECONDS" of a
+ *                    monotonic clock
  *     sleep SECONDS
  *     escape         types Escape twice within a tenth of a second, which quits the program;
- *     retries if a busy
- *                    machine took longer
+ *                    retries if a busy machine took longer
  *     signal NUMBER  sends it to the program
  *     size COLUMNS ROWS   sets the size of the terminal
  *     raw, cooked    waits until the terminal delivers single keys, or lines; gives up likewise

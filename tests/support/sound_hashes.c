@@ -7,8 +7,7 @@
  *     sound_hashes list                                      the built-in presets and kits
  *     sound_hashes hash PRESET|KIT QUALITY [SECONDS [FOLDER]]    a line for each case
  *     sound_hashes summary QUALITY [baseline|avx2|avx512]    one hash of the presets
- *     sound_hashes difference FILE FILE                      largest difference of two sounds [dB
- *     re peak]
+ *     sound_hashes difference FILE FILE                      largest difference [dB re peak]
  *
  * A line is "PRESET QUALITY CASE BLOCKS SOUND LEDGER STATE". SOUND covers the samples of all
  * microphones, LEDGER the ledger, the statistics and the probe, STATE the bytes that

@@ -11,9 +11,8 @@
  *    Around it the head yields with the line mobility of an infinite membrane,
  *      Y = omega/(2 ky (T_h + 2 D k^2)), ky^2 = k^2 - kx^2,
  *    so a wave of velocity v loses Re Z/|1 + Y Z|^2 v^2: C(omega, f), a mean over all directions.
- *    (A
- *    wire that could not move would take lambda f. But a snare's mass resonates with its contact at
- *    some 6 kHz; below, the wire follows and takes next to nothing.)
+ *    (A wire that could not move would take lambda f. But a snare's mass resonates with its contact
+ *    at some 6 kHz; below, the wire follows and takes next to nothing.)
  * 2. A wire that bounces lands harder on a head that comes to meet it. If it lands with the speed
  *    u, the impulse grows by the fraction v/u, which makes a resistance f/u. That holds for waves
  *    slow against the contact. In a contact that lasts half a period of its resonance, omega_r^2 =

@@ -191,6 +191,37 @@ static void the_energy_account_closes(void **state) {
   }
 }
 
+/* Ringing goes on if the plate becomes thicker; a head's does not go on as a plate's. Either way
+ * the account closes. */
+static void a_swap_continues_plates_alone(void **state) {
+  (void)state;
+  TaborDrumDef thin = plate_def(), thick = plate_def(), head = plate_def();
+  thick.plate.thickness *= 1.1;
+  head.body.kind = TABOR_BODY_DRUM;
+  const struct {
+    const TaborDrumDef *from, *to;
+    bool continues;
+  } cases[] = {{&thin, &thick, true}, {&head, &thin, false}, {&thin, &head, false}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    TaborModel *from = physics_model(cases[i].from, 48000.0, TABOR_QUALITY_STUDIO);
+    TaborModel *to = physics_model(cases[i].to, 48000.0, TABOR_QUALITY_STUDIO);
+    TaborSwap *swap;
+    assert_int_equal(tabor_swap_create(from, to, &swap, NULL), TABOR_OK);
+    TaborDrum *drum = physics_drum(from);
+    const TaborEvent events[] = {{.type = TABOR_EVENT_STRIKE, .velocity = 3.0, .radius = 0.15},
+                                 {.frame = 4000, .type = TABOR_EVENT_SWAP, .swap = swap}};
+    tabor_drum_process(drum, events, 2, NULL, 8000);
+    TaborLedger ledger;
+    tabor_drum_ledger(drum, &ledger);
+    assert_true((ledger.stored > 1e-3) == cases[i].continues);
+    assert_true(fabs(ledger.residual) < 1e-9 * ledger.injected);
+    tabor_swap_destroy(swap);
+    tabor_drum_destroy(drum);
+    tabor_model_release(from);
+    tabor_model_release(to);
+  }
+}
+
 static void refuses(TaborDrumDef def, const char *key) {
   TaborError error;
   assert_int_equal(tabor_drum_def_validate(&def, &error), TABOR_ERROR_RANGE);
@@ -218,6 +249,7 @@ int main(void) {
     cmocka_unit_test(a_heaving_disc_carries_the_air_of_a_rigid_one),
     cmocka_unit_test(modes_have_unit_mass_and_are_orthogonal),
     cmocka_unit_test(the_energy_account_closes),
+    cmocka_unit_test(a_swap_continues_plates_alone),
     cmocka_unit_test(what_a_plate_has_not_got_is_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

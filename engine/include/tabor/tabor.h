@@ -1116,7 +1116,7 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  *
  * The event decides what becomes of a drum that rings:
  *
- * - After TABOR_EVENT_SWAP it continues on the new model if size, boundary and set of wires stay
+ * - After TABOR_EVENT_SWAP it continues on the new model if body, size, boundary and set of wires stay
  *   the same. For 16 ms the old model plays, too: events act on both, and the outputs change over
  *   from the old one to the new one in the second half of this time. Live values go on if they were
  *   moved. A drum of another size, boundary or set of wires is replaced.

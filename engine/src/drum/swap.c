@@ -51,7 +51,8 @@ static void map_mics(TaborSwap *swap) {
 }
 
 static bool continues(const TaborModel *a, const TaborModel *b) {
-  return a->def.shell.radius == b->def.shell.radius && a->def.shell.depth == b->def.shell.depth &&
+  return a->def.body.kind == b->def.body.kind && a->def.shell.radius == b->def.shell.radius &&
+         a->def.shell.depth == b->def.shell.depth &&
          a->def.shell.boundary == b->def.shell.boundary && a->def.two_headed == b->def.two_headed &&
          a->wires.count == b->wires.count && a->wires.head == b->wires.head &&
          a->wires.side == b->wires.side && (a->wires.count == 0 || a->axis == b->axis);

@@ -1116,10 +1116,10 @@ TABOR_API void tabor_drum_destroy(TaborDrum *drum);
  *
  * The event decides what becomes of a drum that rings:
  *
- * - After TABOR_EVENT_SWAP it continues on the new model if body, size, boundary and set of wires stay
+ * - After TABOR_EVENT_SWAP it continues on the new model if body, size, boundary and wires stay
  *   the same. For 16 ms the old model plays, too: events act on both, and the outputs change over
  *   from the old one to the new one in the second half of this time. Live values go on if they were
- *   moved. A drum of another size, boundary or set of wires is replaced.
+ *   moved. A drum of another body, size, boundary or set of wires is replaced.
  * - After TABOR_EVENT_REPLACE a drum at rest takes its place. The old drum rings out beside it
  *   under a fade of 30 ms. Live values begin anew.
  *

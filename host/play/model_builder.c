@@ -77,8 +77,7 @@ Outcome model_builder_create(const ModelBuilderSetup *setup, ModelBuilder **crea
   return copy_kit(builder, setup->kit);
 }
 
-/* ---- messages ---------------------------------------------------------------------------------
- */
+/* ---- messages -------------------------------------------------------------------------------- */
 
 static void send(ModelBuilder *builder, PlayerSource source, const PlayerMessage *message) {
   if (builder->sending) (void)pthread_mutex_lock(builder->sending);

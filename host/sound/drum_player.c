@@ -216,8 +216,7 @@ void drum_player_set_kit(DrumPlayer *player, TaborKit *kit, double rate) {
   }
 }
 
-/* ---- what they are all together ----------------------------------------------------------------
- */
+/* ---- what they are all together -------------------------------------------------------------- */
 
 /* A drum of the kit, or the only one; NULL past the last. */
 static const TaborDrum *drum_at(const DrumPlayer *player, uint32_t index) REALTIME;

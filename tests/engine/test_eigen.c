@@ -209,8 +209,7 @@ static void solve_and_compare(const Problem *p, Worst *worst) {
   solution_free(&mine);
 }
 
-/* ---- made-up matrices -------------------------------------------------------------------------
- */
+/* ---- made-up matrices ------------------------------------------------------------------------ */
 
 static double draw(uint64_t *seed) {
   *seed = *seed * 6364136223846793005u + 1442695040888963407u;
@@ -368,8 +367,7 @@ static void refused(void **state) {
   solution_free(&s);
 }
 
-/* ---- the models of the presets -----------------------------------------------------------------
- */
+/* ---- the models of the presets --------------------------------------------------------------- */
 
 static Worst *watching; /* NULL while nothing is compared */
 

@@ -31,8 +31,7 @@ static TaborDrumDef tuned(TaborDrumDef def) {
   return def;
 }
 
-/* ---- the pitch ---------------------------------------------------------------------------------
- */
+/* ---- the pitch ------------------------------------------------------------------------------- */
 
 static void a_thin_head_in_vacuo_has_the_pitch_of_a_membrane(void **state) {
   (void)state;

@@ -241,8 +241,7 @@ static void baffled_functions_radiate_as_others_do(void **state) {
   tb_arena_release(&arena);
 }
 
-/* ---- losses -----------------------------------------------------------------------------------
- */
+/* ---- losses ---------------------------------------------------------------------------------- */
 
 static TaborDrumDef lossy_drum(uint32_t kind, double density, double damping_k) {
   TaborDrumDef def = small_drum(kind);

@@ -62,8 +62,7 @@ static void what_is_null_is_named(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- what a build takes ------------------------------------------------------------------------
- */
+/* ---- what a build takes ---------------------------------------------------------------------- */
 
 /* Of everything that costs time a legal extreme: minutes at live, hours at reference. */
 static TaborDrumDef largest_drum(void) {
@@ -271,8 +270,7 @@ static void a_limit_ends_what_was_estimated_too_low(void **state) {
   }
 }
 
-/* ---- progress and cancellation -----------------------------------------------------------------
- */
+/* ---- progress and cancellation --------------------------------------------------------------- */
 
 typedef struct Listener {
   uint64_t calls, end; /* so far; the call that cancels, 0: none */

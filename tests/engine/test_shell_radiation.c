@@ -19,8 +19,7 @@ static TbArena scratch_arena(void) {
   return arena;
 }
 
-/* ---- a ring of sources inside ------------------------------------------------------------------
- */
+/* ---- a ring of sources inside ---------------------------------------------------------------- */
 
 typedef struct Field {
   double complex value, along_r, along_z;
@@ -175,8 +174,7 @@ static void a_constant_has_the_solid_angle_of_the_shell(void **state) {
   }
 }
 
-/* ---- heads --------------------------------------------------------------------------------------
- */
+/* ---- heads ----------------------------------------------------------------------------------- */
 
 enum { ZEROS = 6, MOST_POINTS = TABOR_MAX_MICS };
 
@@ -414,8 +412,7 @@ static void resonances_inside_are_not_heard(void **state) {
   }
 }
 
-/* ---- an independent method ----------------------------------------------------------------------
- */
+/* ---- an independent method ------------------------------------------------------------------- */
 
 /* tests/reference/shell_radiation.json: fundamental solutions, tools/radiation_reference.py.
  * Differences of masses of motions i and j are in parts of sqrt(own_ii own_jj), those of fields in

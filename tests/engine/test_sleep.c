@@ -119,8 +119,7 @@ static void wires_that_are_off_let_a_drum_sleep(void **state) {
   (void)check_sleep(&def, events, 2);
 }
 
-/* ---- when a drum does not sleep ---------------------------------------------------------------
- */
+/* ---- when a drum does not sleep -------------------------------------------------------------- */
 
 static uint32_t time_to_sleep(const TaborDrumDef *def, uint32_t quality) {
   TaborModel *model = physics_model(def, 48000.0, quality);

@@ -214,8 +214,7 @@ static void a_rimshot_meets_head_and_hoop_within_a_millisecond(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- the hand of a cross-stick ----------------------------------------------------------------
- */
+/* ---- the hand of a cross-stick --------------------------------------------------------------- */
 
 static const TaborEvent CROSS_STICK = {.type = TABOR_EVENT_STRIKE,
                                        .id = 5,

@@ -24,8 +24,7 @@ static double now(void) {
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* ---- random definitions -----------------------------------------------------------------------
- */
+/* ---- random definitions ---------------------------------------------------------------------- */
 
 static uint64_t seed;
 
@@ -89,8 +88,7 @@ static void draw_definition(TaborDrumDef *def) {
   vary(def, uniform(0.02, 0.4));
 }
 
-/* ---- builds -----------------------------------------------------------------------------------
- */
+/* ---- builds ---------------------------------------------------------------------------------- */
 
 typedef struct Tally {
   int built, refused, off, slow, late;

@@ -11,8 +11,7 @@ static TaborDrumDef snares_off(void) {
   return physics_small(&preset);
 }
 
-/* ---- how they sound ----------------------------------------------------------------------------
- */
+/* ---- how they sound -------------------------------------------------------------------------- */
 
 enum { SOUND = 9600 };
 
@@ -192,8 +191,7 @@ static void a_cross_stick_is_softer_and_brighter_than_a_stroke_of_its_speed(void
   assert_true(upper_middle(across) > upper_middle(plain) + 10.0);
 }
 
-/* ---- with all else -----------------------------------------------------------------------------
- */
+/* ---- with all else --------------------------------------------------------------------------- */
 
 /* Strokes of all kinds, near one another, with hands and moving parameters between them. */
 static uint32_t at_work(uint32_t frame, TaborEvent *event) {

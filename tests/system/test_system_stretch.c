@@ -198,8 +198,7 @@ static void an_early_end_of_the_solve_knows_the_stretch(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- enough modes -------------------------------------------------------------------------------
- */
+/* ---- enough modes ---------------------------------------------------------------------------- */
 
 #define SOUND_RATE 48000.0
 enum { SOUND = 9600, EARLY = 2400, BANDS = 14 };

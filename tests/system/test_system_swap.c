@@ -178,8 +178,7 @@ static void a_swap_for_another_model_is_dropped_and_done(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- drums that do not continue each other ----------------------------------------------------
- */
+/* ---- drums that do not continue each other --------------------------------------------------- */
 
 enum { FADE = 1440 }; /* 30 ms, as the engine has it */
 
@@ -301,8 +300,7 @@ static void the_oldest_of_many_fades_ends(void **state) {
   for (int i = 0; i <= CHANGES; i++) tabor_model_release(models[i]);
 }
 
-/* ---- the same drum on another model -----------------------------------------------------------
- */
+/* ---- the same drum on another model ---------------------------------------------------------- */
 
 /* 8 ms of the former model alone, struck as the new one is, then 8 ms from one to the other. */
 static void the_former_model_gives_way_to_the_new_one(void **state) {

@@ -276,7 +276,7 @@ static void draw_hands(uint64_t seed, TaborEvent *event) {
   }
 }
 
-/* ... and half of the other strokes are on the hoop. */
+/* Half of the strokes that draw_hands() leaves are on the hoop. */
 static void draw_rims(uint64_t seed, TaborEvent *event) {
   static const TaborTechnique ON_HOOP[] = {TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
                                            TABOR_TECHNIQUE_RIM};

@@ -11,8 +11,7 @@ static uint64_t work;     /* multiplications, or passes through an element */
 static uint64_t products; /* with the heads' compliance: one expands the bed each */
 static uint64_t laws;     /* elements whose contact law was evaluated */
 
-/* ---- kernels that count -------------------------------------------------------------------------
- */
+/* ---- kernels that count ---------------------------------------------------------------------- */
 
 static uint64_t modes_of(const TbParts *parts) {
   uint64_t sum = 0;
@@ -46,8 +45,7 @@ static void every_kernel_is_counted(void **state) {
   assert_whole(&counting_floats, sizeof counting_floats);
 }
 
-/* ---- playing ------------------------------------------------------------------------------------
- */
+/* ---- playing --------------------------------------------------------------------------------- */
 
 typedef struct Counts {
   uint64_t work, products, laws;
@@ -156,8 +154,7 @@ static void remedies_keep_the_bound(void **state) {
   assert_true(statistics.newton_capped > 0);
 }
 
-/* ---- evenness -----------------------------------------------------------------------------------
- */
+/* ---- evenness -------------------------------------------------------------------------------- */
 
 #define BLOCKS 375u
 
@@ -314,8 +311,7 @@ static void automation_costs_little(void **state) {
   tabor_model_release(model);
 }
 
-/* ---- floods -------------------------------------------------------------------------------------
- */
+/* ---- floods ---------------------------------------------------------------------------------- */
 
 enum { FLOOD = 1000, BLOCK = 64 };
 

@@ -185,9 +185,10 @@ typedef struct TaborBodyDef {
 /**
  * A plate, of uniform thickness; its radius is that of [shell]. The damper and the ring of [batter]
  * lie on it. It has no wires, no resonant head and no hoop: strokes on the hoop meet the plate. A
- * thin plate, linear [Leissa1969]: D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 -
- * nu^2)). The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what
- * it radiates. Air is on both sides.
+ * thin plate, linear [Leissa1969]:
+ * D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 - nu^2)).
+ * The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what it
+ * radiates. Air is on both sides.
  */
 typedef struct TaborPlateDef {
   double thickness;       /**< h [m], 1e-4 to 0.02, default 0.001 */

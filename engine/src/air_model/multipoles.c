@@ -17,8 +17,7 @@ bool tb_multipoles_project(const TbAirPlan *plan) {
   return plan->x > 0.2 * digits * digits;
 }
 
-/* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m -------------------
- */
+/* ---- Legendre functions L_n of order m, Int_{-1}^1 L_n^2 = 2, without (-1)^m ----------------- */
 
 /* g_n^2, with u L_n = g_{n+1} L_{n+1} + g_n L_{n-1}, g_m = 0 ([DLMF] 14.10.3, normalised). */
 static double coupling_square(uint32_t m, uint32_t n) {
@@ -43,8 +42,7 @@ static void legendre_on_disc(uint32_t m, uint32_t degrees, double *on_disc) {
   }
 }
 
-/* ---- by integrals over the disc ----------------------------------------------------------------
- */
+/* ---- by integrals over the disc -------------------------------------------------------------- */
 
 /* Nodes r = sin t with weights dt, and the integrands over sqrt(r): j_n takes that from J_{n+1/2}.
  */
@@ -159,8 +157,7 @@ static bool by_disc(TbMultipoles *waves, const TbAirPlan *plan, TbArena *scratch
   return true;
 }
 
-/* ---- by projection of the far field ------------------------------------------------------------
- */
+/* ---- by projection of the far field ---------------------------------------------------------- */
 
 /* Far fields at the nodes below x with the weight sin t dt, and Legendre functions of two degrees.
  */
@@ -264,8 +261,7 @@ bool tb_multipoles_prepare(TbMultipoles *waves, const TbAirPlan *plan, TbArena *
                                      : by_disc(waves, plan, scratch, source);
 }
 
-/* ---- the field ---------------------------------------------------------------------------------
- */
+/* ---- the field ------------------------------------------------------------------------------- */
 
 /* If h_n leaves the range of numbers, c_n h_n is below s^-n: nothing. */
 static const double LARGEST = 1e250;

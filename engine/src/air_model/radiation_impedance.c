@@ -16,8 +16,7 @@ static const TbAirPrecision EXACT = {.digits = 10.5, .panel = 12.5};
 static const TbAirPrecision FINE = {.digits = 4.5, .panel = 30.0};
 static const TbAirPrecision COARSE = {.digits = 4.0, .panel = 30.0};
 
-/* ---- the open head -----------------------------------------------------------------------------
- */
+/* ---- the open head --------------------------------------------------------------------------- */
 
 /* How much of the expansion one shape needs. Its terms n beyond (z - m)/2 vanish fast, z the
  * highest zero that takes part: for 10.5 digits with 1e-3 of the largest part, which changes the
@@ -164,8 +163,7 @@ static double open_top(const TbAirPlan *plan) {
   return fmax(30.0, fmax(2.0 * plan->x + 20.0, plan->zero + 10.0));
 }
 
-/* ---- one head ----------------------------------------------------------------------------------
- */
+/* ---- one head -------------------------------------------------------------------------------- */
 
 static TbAirPlan plan_of(const TbAirOrder *order, double x, const TbAirPoint *points,
                          uint32_t point_count, TbAirPrecision precision) {
@@ -261,8 +259,7 @@ bool tb_air_baffled(const TbAirOrder *order, TbArena *scratch, bool both_sides, 
   return point_count == 0 || tb_air_fields(&plan, scratch, &nodes, &source, 1, fields);
 }
 
-/* ---- a drum ------------------------------------------------------------------------------------
- */
+/* ---- a drum ---------------------------------------------------------------------------------- */
 
 /* The bracket of air.h's resistance at one node below x; `second` may be NULL. */
 static double drum_integrand(const TbWavenumberNodes *nodes, const TbAirSource *first,

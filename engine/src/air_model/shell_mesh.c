@@ -53,8 +53,7 @@ void tb_shell_basis(const double *parameters, uint32_t count, bool odd, double t
   }
 }
 
-/* ---- one part of the surface as seen from a target ---------------------------------------------
- */
+/* ---- one part of the surface as seen from a target ------------------------------------------- */
 
 /* The upper cap or the upper half of the side, or its mirror image. */
 typedef struct Part {
@@ -148,8 +147,7 @@ static void add_part(const Part *part, Terms *rows) {
   add_towards(part, rows, near, 1.0);
 }
 
-/* ---- the singular terms of one target ----------------------------------------------------------
- */
+/* ---- the singular terms of one target -------------------------------------------------------- */
 
 static Terms *terms_of(const TbShellMesh *mesh, uint32_t m, uint32_t target, uint32_t odd) {
   return mesh->terms + (((size_t)m * mesh->targets + target) * 2 + odd) * mesh->nodes;
@@ -184,8 +182,7 @@ static bool add_target(const TbShellMesh *mesh, TbArena *scratch, uint32_t targe
   return true;
 }
 
-/* ---- the smooth rest ---------------------------------------------------------------------------
- */
+/* ---- the smooth rest ------------------------------------------------------------------------- */
 
 /* Sums over the angles between a target and a circle of the surface: s, f and f cos t, with cos(m
  * t). */
@@ -275,8 +272,7 @@ static void add_step(const TbShellMesh *mesh, uint32_t step) {
   }
 }
 
-/* ---- rows at any x -----------------------------------------------------------------------------
- */
+/* ---- rows at any x --------------------------------------------------------------------------- */
 
 /* From the rests, which come in without their powers of x, to whole rows. */
 static void finish_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, double x,
@@ -331,8 +327,7 @@ void tb_shell_target_rows(const TbShellMesh *mesh, uint32_t m, uint32_t target, 
   finish_rows(mesh, m, target, x, rows);
 }
 
-/* ---- all of it ---------------------------------------------------------------------------------
- */
+/* ---- all of it ------------------------------------------------------------------------------- */
 
 /* Along the cap the integrand r dr is odd in t, so the rule is one in t^2. */
 static void place_cap(TbShellMesh *mesh) {

@@ -9,8 +9,7 @@
 #include "math/portable_math.h"
 #include "math/quadrature.h"
 
-/* ---- the shell ---------------------------------------------------------------------------------
- */
+/* ---- the shell ------------------------------------------------------------------------------- */
 
 /* Points inside, as parts of radius and half depth: on no surface where many resonances vanish. */
 enum { INNER = 5 };
@@ -44,8 +43,7 @@ bool tb_shell_prepare(TbShellMesh *mesh, TbArena *arena, double depth, const TbA
   return tb_shell_mesh_prepare(mesh, arena, size, inner, INNER, outer, point_count);
 }
 
-/* ---- one order ---------------------------------------------------------------------------------
- */
+/* ---- one order ------------------------------------------------------------------------------- */
 
 /* Int (polynomial of j) J_m(z_i r) r dr, r = g(t). */
 static bool prepare_moments(TbShellOrder *order, TbArena *scratch) {
@@ -177,8 +175,7 @@ bool tb_shell_order_mass(const TbShellOrder *order, TbArena *scratch, double *ow
   return true;
 }
 
-/* ---- one motion --------------------------------------------------------------------------------
- */
+/* ---- one motion ------------------------------------------------------------------------------ */
 
 /* w at the cap's nodes: the part of one symmetry. */
 static void project(const TbShellMotion *motion, uint32_t odd) {
@@ -296,8 +293,7 @@ bool tb_shell_solve(TbShellMotion *motion, TbArena *scratch, const TbShellOrder 
   return solve_symmetry(motion, scratch, rows, 0) && solve_symmetry(motion, scratch, rows, 1);
 }
 
-/* ---- fields ------------------------------------------------------------------------------------
- */
+/* ---- fields ---------------------------------------------------------------------------------- */
 
 /* The double layer of I at a point outside. */
 static void add_reflection(const TbShellMotion *motion, const TbShellRow *rows, double field[2]) {

@@ -70,8 +70,7 @@ typedef struct TbBody {
   TaborHeadDef sheet[TB_HEADS]; /* of each surface: its mass, stiffness, losses, unevenness */
 } TbBody;
 
-/* ---- a kind of body ---------------------------------------------------------------------------
- */
+/* ---- a kind of body -------------------------------------------------------------------------- */
 
 /* Cost of the set-up of a body. */
 typedef struct TbBodyCost {
@@ -117,8 +116,12 @@ TaborStatus tb_body_build_orders(TbBody *body, TbArena *arena, double basis_top,
 double tb_body_wave_zero(const TaborHeadDef *sheet, const TaborAirDef *air, double radius,
                          double frequency);
 
-/* ---- what a model asks of a body --------------------------------------------------------------
- */
+/* c_i: the Bessel amplitudes of an edge that moves by 1, (r/R)^m = Sum_i c_i J_m(z_i r/R). */
+static inline double tb_body_lift(const TbAirOrder *air, uint32_t i) {
+  return 2.0 / (air->zeros[i] * air->slopes[i]);
+}
+
+/* ---- what a model asks of a body ------------------------------------------------------------- */
 
 /* Int |grad w|^2 dA of one mode on surface `which`, of its cosine as of its sine copy:
  * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m e^2 of the edge, whose motion is harmonic.

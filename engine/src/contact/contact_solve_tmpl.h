@@ -39,8 +39,7 @@ static uint32_t total_rows(const TbSolve *solve) {
   return tb_wire_rows(&solve->in.rows) + (solve->in.slot_mask ? TB_SLOTS : 0u);
 }
 
-/* ---- what each precision brings ---------------------------------------------------------------
- */
+/* ---- what each precision brings -------------------------------------------------------------- */
 
 /* The input, in the solve's own precision. */
 static const Real *b_of(const TbSolve *solve);

@@ -37,8 +37,7 @@ bool tb_moving_wake(TbView *view, const double *shape) {
   return woken;
 }
 
-/* ---- coming to rest ---------------------------------------------------------------------------
- */
+/* ---- coming to rest -------------------------------------------------------------------------- */
 
 static double energy_of(const TbView *view, uint32_t mode) {
   const TaborModel *model = view->model;

@@ -24,8 +24,7 @@ static TbCavity air_at(const TbHighCavity *cavity, double omega) {
 
 static uint32_t heads_of(const TbHighCavity *cavity) { return cavity->def->two_headed ? 2 : 1; }
 
-/* ---- the heads' functions ----------------------------------------------------------------------
- */
+/* ---- the heads' functions -------------------------------------------------------------------- */
 
 static bool prepare_waves(TbHighCavity *cavity, TbArena *arena, uint32_t head) {
   const TbAirOrder *functions = &cavity->functions;
@@ -58,8 +57,7 @@ bool tb_high_cavity_prepare(TbHighCavity *cavity, TbArena *arena, const TaborDru
   return true;
 }
 
-/* ---- a mode ------------------------------------------------------------------------------------
- */
+/* ---- a mode ---------------------------------------------------------------------------------- */
 
 double tb_high_cavity_omega(const TbHighCavity *cavity, uint32_t radial, uint32_t axial) {
   const double across = cavity->order->zeros[radial] / cavity->def->shell.radius;
@@ -160,8 +158,7 @@ double tb_high_cavity_taken(const TbHighCavity *cavity, uint32_t head, uint32_t 
   return sum / (to - from + 1u);
 }
 
-/* ---- what is heard of it -----------------------------------------------------------------------
- */
+/* ---- what is heard of it --------------------------------------------------------------------- */
 
 /* The microphones outside that face a head. */
 typedef struct Listeners {

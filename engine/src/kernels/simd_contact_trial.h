@@ -52,8 +52,7 @@ static INLINE LawBlock law_block(const WireLaw *law, uint32_t power, Lanes y, La
   default: pass(0, __VA_ARGS__); break;                                                            \
   }
 
-/* ---- from the last forces to the first try ----------------------------------------------------
- */
+/* ---- from the last forces to the first try --------------------------------------------------- */
 
 typedef struct Beginning {
   StartSizes sizes;
@@ -86,8 +85,7 @@ static float start_newton_diagonal(uint32_t wires, uint32_t lanes, const TbConta
   return largest_of(beginning.move);
 }
 
-/* ---- a try ------------------------------------------------------------------------------------
- */
+/* ---- a try ----------------------------------------------------------------------------------- */
 
 typedef struct TrialSums {
   Lanes value, derivative, size, miss, way, lost, touching;
@@ -149,8 +147,7 @@ static void trial_at_forces(TbTrial *trial) { try_wires(true, trial); }
 
 static void trial_moved(TbTrial *trial) { try_wires(false, trial); }
 
-/* ---- the end ----------------------------------------------------------------------------------
- */
+/* ---- the end --------------------------------------------------------------------------------- */
 
 static void finish_forces(uint32_t n, const End *whole) {
   const End copy = *whole, *at = &copy; /* no store changes the copy */

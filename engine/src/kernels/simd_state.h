@@ -15,8 +15,7 @@ static void two_step(uint32_t n, double *out, const double *a, const double *x, 
   }
 }
 
-/* ---- heads that stretch -----------------------------------------------------------------------
- */
+/* ---- heads that stretch ---------------------------------------------------------------------- */
 
 /* In the functions of this part, `steps` and `mixed` are constants at every call. `steps`: whether
  * next is computed or read. They read a copy of the struct, or the compiler would have to assume
@@ -139,8 +138,7 @@ static TbPair stretch_dots(const TbParts *parts, const double *const pull[TB_COU
   return (TbPair){join(first), join(second)};
 }
 
-/* ---- the end of a step ------------------------------------------------------------------------
- */
+/* ---- the end of a step ----------------------------------------------------------------------- */
 
 typedef struct EndSums {
   Lanes lost[3], ahead, behind;

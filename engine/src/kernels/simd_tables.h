@@ -170,8 +170,7 @@ static void gemm(const Gather *g) {
   }
 }
 
-/* ---- modes that mix ---------------------------------------------------------------------------
- */
+/* ---- modes that mix -------------------------------------------------------------------------- */
 
 /* So many modes move at most: those behind rest. */
 static INLINE uint32_t up_to_rest(const TbMixingBlock *block, const TbParts *moving) {

@@ -13,8 +13,7 @@
 #include "math/portable_math.h"
 #include "model/model.h"
 
-/* ---- the mix ----------------------------------------------------------------------------------
- */
+/* ---- the mix --------------------------------------------------------------------------------- */
 
 static void prepare_mix(TbKitVoice *voice, const TaborKitDrumDef *def) {
   const double gain = tb_kit_factor(def->gain);

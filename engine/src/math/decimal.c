@@ -73,8 +73,7 @@ static void read_digits(const char *text, Digits *d) {
   if (*text) d->point += read_exponent(text + 1);
 }
 
-/* ---- few digits -------------------------------------------------------------------------------
- */
+/* ---- few digits ------------------------------------------------------------------------------ */
 
 static bool read_few(const Digits *d, double *value) {
   static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -88,8 +87,7 @@ static bool read_few(const Digits *d, double *value) {
   return true;
 }
 
-/* ---- whole numbers ----------------------------------------------------------------------------
- */
+/* ---- whole numbers --------------------------------------------------------------------------- */
 
 /* n = n factor + carry */
 static void multiply_add(Whole *n, uint32_t factor, uint32_t carry) {
@@ -140,8 +138,7 @@ static bool is_zero(const Whole *n) {
   return true;
 }
 
-/* ---- the quotient -----------------------------------------------------------------------------
- */
+/* ---- the quotient ---------------------------------------------------------------------------- */
 
 /* above / below = (quotient + something less than 1) 2^exponent; `left`: that is not 0. */
 typedef struct Quotient {

@@ -43,8 +43,8 @@ static void prepare_ranges(TbLugs *lugs, const TbModes *modes, uint32_t rows) {
   }
 }
 
-/* mode[]: places in TbModes of the coupled ones, place[]: ... and where each stands in a gathered
- * vector. */
+/* mode[]: places of the coupled modes in TbModes; place[]: the place of each in a gathered vector.
+ */
 static uint32_t list_coupled(const TbLugs *lugs, const TbModes *modes, uint32_t rows,
                              uint32_t *mode, uint32_t *place) {
   uint32_t count = 0, first = 0;

@@ -356,7 +356,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                         "small, light or tense",
                         model->body.bandwidth);
   }
-  if (tb_body_kind(&model->def)->all_two_way) model->top = model->body.bandwidth;
+  if (tb_body_kind(&model->def)->all_two_way) model->top = model->body.bandwidth; /* no high band */
   relax_large(model, level);
   model->axis = model->def.wires.count > 0 ? model->def.wires.angle : model->def.strike.angle;
   status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,

@@ -84,6 +84,5 @@ TbLevel tb_level(const TaborDrumDef *def, uint32_t quality, double sample_rate) 
   if (def->quality.bandwidth > 0.0) level.top = def->quality.bandwidth;
   level.bandwidth = fmin(level.bandwidth, (all_two_way ? TOP_OF_ALL : TOP_OF_RATE) * step_rate);
   level.top = fmin(level.top, TOP_OF_HEARING * sample_rate);
-  if (all_two_way) level.top = level.bandwidth;
   return level;
 }

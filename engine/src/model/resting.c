@@ -48,8 +48,7 @@ static bool prepare_heard(TaborModel *model) {
   return true;
 }
 
-/* ---- modes at rest ----------------------------------------------------------------------------
- */
+/* ---- modes at rest --------------------------------------------------------------------------- */
 
 static double most_energy(const TaborModel *model, uint32_t mode) {
   const double count = (double)model->modes.count, felt = FELT / count;

@@ -81,7 +81,7 @@ typedef struct TbSlot {
   TbBristles bristles;
 } TbSlot;
 
-/* The only places where a kind is looked at, but for strikers/ itself. */
+/* A kind is looked at here, where strikers/ makes a slot, and in step/state_check.c alone. */
 static inline bool tb_slot_in_play(const TbSlot *slot) { return slot->kind != TB_SLOT_FREE; }
 static inline bool tb_slot_is_tip(const TbSlot *slot) { return slot->kind == TB_SLOT_TIP; }
 static inline bool tb_slot_is_end(const TbSlot *slot) { return slot->kind == TB_SLOT_END; }

@@ -16,9 +16,10 @@ static const double PI = 3.14159265358979323846;
 /* Cavity modes are kept as coordinates up to this many times the frequency of the slower head's
  * first mode in vacuo: those of its modes that feel the cavity are then right to 0.2 %. */
 static const double COORDINATES = 24.0;
-/* ... and between two heads at least to this many times the highest frequency of all modes: air
- * that rings up to somewhere below would end there with an edge that is seen and heard. A kettle is
- * a bowl, not the cylinder that stands for it here, and its higher modes are not those of one. */
+/* Between two heads they are kept at least to this many times the highest frequency of all modes:
+ * air that rings up to somewhere below would end there with an edge that is seen and heard. A
+ * kettle is a bowl, not the cylinder that stands for it here, and its higher modes are not those of
+ * one. */
 static const double MARGIN = 1.1;
 /* Bessel functions of the cavity beyond this many times the heads' last one carry no mass. */
 static const double CAVITY_BASIS = 2.0;
@@ -261,8 +262,7 @@ static uint32_t part_name(const Parts *parts) {
   return TABOR_PART_BOTH;
 }
 
-/* ---- the air outside ---------------------------------------------------------------------------
- */
+/* ---- the air outside ------------------------------------------------------------------------- */
 
 /* Places of the microphones outside, whose indices go to `mics`. Returns their number. */
 static uint32_t mic_points(const TaborDrumDef *def, uint32_t *mics, TbAirPoint *points) {
@@ -460,8 +460,7 @@ static bool radiate(const Enclosed *e, TbArena *arena, const Spectrum *spectrum,
   return done;
 }
 
-/* ---- all modes of an order ---------------------------------------------------------------------
- */
+/* ---- all modes of an order ------------------------------------------------------------------- */
 
 /* Losses of a mode whose radiation is known. */
 static void add_losses(const Enclosed *e, const Parts *parts, const TbCavity *cavity,

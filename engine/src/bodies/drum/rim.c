@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "bodies/body.h"
+
 static const double PI = 3.14159265358979323846;
 static const double POISSON = 0.3; /* of wood along and across, of metal and of film, roughly */
 
@@ -10,8 +12,7 @@ static double azimuth_of(uint32_t n) { return n ? PI : 2.0 * PI; }
 
 static double square(double x) { return x * x; }
 
-/* ---- hoop and edge ----------------------------------------------------------------------------
- */
+/* ---- hoop and edge --------------------------------------------------------------------------- */
 
 static void prepare_hoop(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   const TaborHoopDef *hoop = &def->hoop;
@@ -74,11 +75,10 @@ void tb_rim_prepare(TbRim *rim, const TaborDrumDef *def, uint32_t n) {
   rim->head_mass[1] = def->two_headed ? area * def->resonant.surface_density : 0.0;
 }
 
-/* ---- matrices ---------------------------------------------------------------------------------
- */
+/* ---- matrices -------------------------------------------------------------------------------- */
 
 double tb_rim_lift(const TbAirOrder *air, uint32_t h, uint32_t i) {
-  const double lift = 2.0 / (air->zeros[i] * air->slopes[i]);
+  const double lift = tb_body_lift(air, i);
   return h ? -lift : lift;
 }
 
@@ -157,8 +157,7 @@ void tb_rim_add_lift(const TbRim *rim, const TbAirOrder *air, uint32_t heads, ui
   }
 }
 
-/* ---- one mode ---------------------------------------------------------------------------------
- */
+/* ---- one mode -------------------------------------------------------------------------------- */
 
 TbRimMotion tb_rim_motion(const TbRim *rim, const double *coordinates) {
   const double edge = rim->edge ? coordinates[rim->count - 1u] : 0.0;

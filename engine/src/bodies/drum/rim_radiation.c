@@ -10,8 +10,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* ---- the wall ---------------------------------------------------------------------------------
- */
+/* ---- the wall -------------------------------------------------------------------------------- */
 
 /* Most points around half the wall: at 10 kHz and half a metre from the axis still five a
  * wavelength. */
@@ -77,8 +76,7 @@ double tb_wall_resistance(uint32_t n, double omega, const TaborAirDef *air, doub
   return omega * omega * air->density * n2 * n2 * PI * sum / (4.0 * air->sound_speed);
 }
 
-/* ---- the hoop ---------------------------------------------------------------------------------
- */
+/* ---- the hoop -------------------------------------------------------------------------------- */
 
 /* m'/rho0 of a strip [m2]. */
 static double strip_of(double wavenumber, double width) {
@@ -133,8 +131,7 @@ double tb_hoop_lean(const TaborDrumDef *def, uint32_t n) {
   return -0.5 * def->hoop.wall / def->shell.radius * n2 * (1.0 + torsion) / (1.0 + n2 * torsion);
 }
 
-/* ---- one mode ---------------------------------------------------------------------------------
- */
+/* ---- one mode -------------------------------------------------------------------------------- */
 
 /* Hoop or shell with less than this part of the mass is not heard beside the heads. */
 static const double LEAST_HEARD = 1e-4;

@@ -7,12 +7,12 @@
  * l a root of
  *   (l^2 J + (1 - nu)(l J' - m^2 J)) (l^2 q - (1 - nu) m^2 (q - 1))
  *     = (l^3 J' + (1 - nu) m^2 (l J' - J)) (l^2 - (1 - nu)(q - m^2)),
- *   q = l I_m'(l)/I_m(l) = m + l I_{m+1}/I_m,  c = (l^2 J + (1 - nu)(l J' - m^2 J))/(l^2 - (1 -
- *   nu)(q - m^2)).
+ *   q = l I_m'(l)/I_m(l) = m + l I_{m+1}/I_m,
+ *   c = (l^2 J + (1 - nu)(l J' - m^2 J))/(l^2 - (1 - nu)(q - m^2)).
  * The ratio of the modified functions is a continued fraction [DLMF] 10.33.1, so nothing overflows.
  * For m = 0 and 1 the rigid motions x^m come first, with l = 0. [DLMF] 10.22 gives
- *   Int_0^1 w^2 x dx = ((1 - m^2/l^2) J^2 + J'^2)/2 + c^2 ((1 + m^2/l^2) - q^2/l^2)/2 + c (J q - l
- *   J')/l^2,
+ *   Int_0^1 w^2 x dx = ((1 - m^2/l^2) J^2 + J'^2)/2 + c^2 ((1 + m^2/l^2) - q^2/l^2)/2
+ *                      + c (J q - l J')/l^2,
  * and, with J_m(z) = 0, the amplitudes of
  *   w = e x^m + Sum_i v_i J_m(z_i x),  e = J + c,
  *   v_i = (2 l^2/(z_i J_{m+1}(z_i))) (J/(z_i^2 - l^2) - c/(z_i^2 + l^2)).

@@ -14,8 +14,8 @@ static const double PI = 3.14159265358979323846;
 /* Zeros of the basis, with which modes' masses are right to 0.4 % (edge modes of high order; others
  * to 0.1 %), as long as TB_TOP_ZERO does not end it. */
 static const double BASIS_PER_LAMBDA = 2.0, BASIS_MORE = 40.0;
-/* The highest lambda, in units of the highest zero: a bronze disc of 40 cm and 0.15 mm reaches it
- * above 17 kHz. */
+/* The highest lambda, in units of the highest zero: a bronze disc of 40 cm and 0.15 mm would reach
+ * it above 17 kHz, but TbBodyLimits.modes ends thin plates earlier at draft and live. */
 static const double MOST_OF_BASIS = 0.8;
 /* Modes in vacuo up to here, in units of the highest lambda, make up those in air. */
 static const double MARGIN = 1.15;
@@ -89,11 +89,6 @@ typedef struct Work {
   const double *ring;
 } Work;
 
-/* e c_i: the Bessel amplitudes of the edge's motion, see bodies/drum/rim.h. */
-static double lift(const TbAirOrder *air, uint32_t i) {
-  return 2.0 / (air->zeros[i] * air->slopes[i]);
-}
-
 static void find_own(const Work *w, uint32_t k) {
   const TaborDrumDef *def = w->shared->def;
   const TbFreePlateMode *mode = &w->modes[k];
@@ -108,7 +103,7 @@ static void find_own(const Work *w, uint32_t k) {
   for (uint32_t i = 0; i < w->air->count; i++) {
     w->y[k * w->air->count + i] =
       tb_free_plate_amplitude(mode, w->air->zeros[i], w->air->slopes[i]) +
-      mode->edge * lift(w->air, i);
+      mode->edge * tb_body_lift(w->air, i);
   }
 }
 
@@ -199,7 +194,7 @@ static double keep_vector(const Work *w, const double *u, double *kept) {
   double edge = 0.0;
   for (uint32_t k = 0; k < w->count; k++) edge += u[k] * w->modes[k].edge;
   for (uint32_t i = 0; i < w->air->count; i++) {
-    kept[i] = -edge * lift(w->air, i);
+    kept[i] = -edge * tb_body_lift(w->air, i);
     for (uint32_t k = 0; k < w->count; k++) kept[i] += u[k] * w->y[k * w->air->count + i];
   }
   return edge;
@@ -211,7 +206,7 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   double *y = tb_arena_doubles(scratch, w->air->count);
   if (!y) return false;
   *edge = keep_vector(w, u, kept);
-  for (uint32_t i = 0; i < w->air->count; i++) y[i] = kept[i] + *edge * lift(w->air, i);
+  for (uint32_t i = 0; i < w->air->count; i++) y[i] = kept[i] + *edge * tb_body_lift(w->air, i);
   const TbOwnParts own = own_parts(w, u);
   TbAirParts load;
   mode->omega = sqrt(square);

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* A flat plate as a body: its modes beside the literature, the air on a rigid disc, its energy
- * account. */
-#include "bodies/plate/free_plate.h"
+/* A plate as a body: its modes beside the literature, flat and bowed, the air on a rigid disc, its
+ * energy account. */
+#include "bodies/plate/disc_modes.h"
 #include "bodies/plate/plate_modes.h"
 #include "math/bessel.h"
+#include "math/quadrature.h"
 #include "model/model.h"
 #include "physics.h"
 
@@ -37,9 +38,9 @@ static void eigenvalues_are_those_of_the_literature(void **state) {
   TaborDrumDef def = plate_def();
   def.air.density = 0.0;
   TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
-  const double unit =
-    sqrt(tb_plate_stiffness(&def.plate) / (def.plate.density * def.plate.thickness)) /
-    (def.shell.radius * def.shell.radius);
+  const double unit = sqrt(tb_plate_stiffness(&def.plate, def.plate.thickness) /
+                           (def.plate.density * def.plate.thickness)) /
+                      (def.shell.radius * def.shell.radius);
   for (uint32_t i = 0; i < KNOWN_COUNT; i++) {
     TaborModeInfo mode = {.m = UINT32_MAX};
     for (uint32_t row = 0; tabor_model_mode(model, row, &mode); row++) {
@@ -67,34 +68,141 @@ static double modified(uint32_t m, double l, double x) {
   return pow(x, m) * above / below;
 }
 
-/* The same shape by its Bessel amplitudes, and its square by the rectangle rule. */
+/* The same shape by its Bessel amplitudes. */
 static void shapes_are_their_bessel_series(void **state) {
   (void)state;
   enum { POINTS = 2000, ZEROS = 64, MODES = 16 };
   for (uint32_t m = 0; m < 7; m++) {
-    TbFreePlateMode modes[MODES];
+    TbDiscMode modes[MODES];
     double zeros[ZEROS];
-    const uint32_t count = tb_free_plate_modes(m, 0.3, 16.0, modes, MODES);
+    const uint32_t count = tb_disc_modes(TB_DISC_FREE, m, 0.3, 16.0, modes, MODES);
     const uint32_t terms = tb_bessel_zeros(m, 120.0, zeros, ZEROS);
     for (uint32_t k = 0; k < count; k++) {
-      double worst = 0.0, square = 0.0;
+      double worst = 0.0;
       for (uint32_t i = 0; i < POINTS; i++) {
         const double x = (i + 0.5) / POINTS, l = modes[k].lambda;
         const double exact =
           l > 0.0 ? tb_bessel_j(m, l * x) + modes[k].c * modified(m, l, x) : pow(x, m);
         double sum = modes[k].edge * pow(x, m);
         for (uint32_t z = 0; z < terms; z++) {
-          sum += tb_free_plate_amplitude(&modes[k], zeros[z], tb_bessel_j(m + 1, zeros[z])) *
+          sum += tb_disc_amplitude(&modes[k], zeros[z], tb_bessel_j(m + 1, zeros[z])) *
                  tb_bessel_j(m, zeros[z] * x);
         }
         worst = fmax(worst, fabs(sum - exact));
-        square += exact * exact * x / POINTS;
       }
       assert_true(worst < 2e-4);
-      assert_true(fabs(square / modes[k].square - 1.0) < 1e-5);
     }
     assert_true(count >= 2);
   }
+}
+
+/* lambda^2 of a clamped disc [Leissa1969] table 2.1. */
+static void clamped_modes_are_those_of_the_literature(void **state) {
+  (void)state;
+  static const double SQUARES[4][3] = {{10.2158, 39.771, 89.104},
+                                       {21.26, 60.82, 120.08},
+                                       {34.88, 84.58, 153.81},
+                                       {51.04, 111.01, 190.30}};
+  for (uint32_t m = 0; m < 4; m++) {
+    TbDiscMode modes[3];
+    assert_int_equal(tb_disc_modes(TB_DISC_CLAMPED, m, 0.0, 20.0, modes, 3), 3);
+    for (uint32_t n = 0; n < 3; n++) {
+      const double square = modes[n].lambda * modes[n].lambda;
+      print_message("(%u,%u): %.4f\n", m, n, square);
+      assert_true(fabs(square / SQUARES[m][n] - 1.0) < 2e-4);
+    }
+  }
+}
+
+/* Curvatures by differences of the values. */
+static void waves_are_derivatives_of_their_values(void **state) {
+  (void)state;
+  const double radius = 0.2, step = 1e-5;
+  for (uint32_t edge = TB_DISC_FREE; edge <= TB_DISC_CLAMPED; edge++) {
+    for (uint32_t m = 0; m < 40; m += 3) {
+      TbDiscMode modes[8];
+      const uint32_t count = tb_disc_modes((TbDiscEdge)edge, m, 0.3, 60.0, modes, 8);
+      for (uint32_t k = 0; k < count; k++) {
+        double values[4][3];
+        const TbDiscWave wave = {values[0], values[1], values[2], values[3]};
+        const double at = 0.17, r[3] = {at - step, at, at + step};
+        tb_disc_wave(&modes[k], m, radius, 3, r, &wave);
+        const double *w = values[0], slope = (w[2] - w[0]) / (2.0 * step);
+        const double bend = (w[2] - 2.0 * w[1] + w[0]) / (step * step);
+        const double scale = 1e-4 * (1.0 + modes[k].lambda * modes[k].lambda) / (radius * radius);
+        assert_true(fabs(values[1][1] - bend) < scale);
+        assert_true(fabs(values[2][1] - slope / at + m * m * w[1] / (at * at)) < scale);
+        assert_true(fabs(values[3][1] - m * (slope / at - w[1] / (at * at))) < scale);
+      }
+    }
+  }
+}
+
+/* The frequencies [rad/s] of one order in vacuo without a mount's stiffness, ascending. */
+static uint32_t frequencies(const TaborDrumDef *def, uint32_t m, double *omega, uint32_t room) {
+  TaborModel *model = physics_model(def, 48000.0, TABOR_QUALITY_LIVE);
+  TaborModeInfo mode;
+  uint32_t count = 0;
+  for (uint32_t row = 0; count < room && tabor_model_mode(model, row, &mode); row++) {
+    if (mode.m == m) omega[count++] = 2.0 * PI * mode.frequency;
+  }
+  tabor_model_release(model);
+  return count;
+}
+
+/* A bow has the curvature 1/R_s = 2 b/R^2 nearly everywhere alike. Axisymmetric modes of a spherical
+ * cap move to omega^2 + E/(rho R_s^2), others hardly where they have no nodal circle
+ * [ThomasTouzeChaigne2005]. */
+static void a_cap_is_stiffer_by_its_curvature(void **state) {
+  (void)state;
+  enum { MODES = 12 };
+  TaborDrumDef flat = plate_def();
+  flat.air.density = 0.0;
+  flat.plate.heave_frequency = 5.0;
+  for (double bow = 0.002; bow < 0.011; bow += 0.004) {
+    TaborDrumDef cap = flat;
+    cap.plate.bow = bow;
+    const double curvature = 2.0 * bow / (cap.shell.radius * cap.shell.radius);
+    const double more = cap.plate.youngs_modulus / cap.plate.density * curvature * curvature;
+    double before[MODES], after[MODES];
+    assert_int_equal(frequencies(&flat, 0, before, MODES), MODES);
+    assert_int_equal(frequencies(&cap, 0, after, MODES), MODES);
+    assert_true(fabs(after[0] / before[0] - 1.0) < 1e-6); /* it heaves as before */
+    for (uint32_t n = 1; n < MODES; n++) {
+      const double ratio = (after[n] * after[n] - before[n] * before[n]) / more;
+      print_message("bow %.0f mm, (0,%u): %.6f of the excess\n", 1e3 * bow, n, ratio);
+      assert_true(fabs(ratio - 1.0) < 1e-3);
+    }
+    for (uint32_t m = 2; m < 8; m++) {
+      assert_int_equal(frequencies(&flat, m, before, 1), 1);
+      assert_int_equal(frequencies(&cap, m, after, 1), 1);
+      assert_true(after[0] > before[0] && after[0] < 1.05 * before[0]);
+    }
+  }
+}
+
+/* omega^2 rho h Int w^2 dA = Int D (w'' + w'/r)^2 - 2 (1 - nu) D w'' w'/r dA of any deflection, if
+ * it is a mode, and is more than the lowest one's otherwise: tapered discs by Rayleigh's quotient
+ * of w = 1 - a r^2 lie above the lowest mode that bends, and close to it. */
+static void a_taper_moves_modes_as_rayleighs_quotient_says(void **state) {
+  (void)state;
+  TaborDrumDef def = plate_def();
+  def.air.density = 0.0;
+  def.plate.taper = 0.6;
+  def.plate.heave_frequency = 5.0;
+  const double radius = def.shell.radius, nu = def.plate.poisson_ratio;
+  double nodes[TB_PANEL], weights[TB_PANEL], mass[3] = {0.0}, stiffness = 0.0, omega[2];
+  tb_quadrature(0.0, radius, 1, nodes, weights);
+  for (uint32_t i = 0; i < TB_PANEL; i++) { /* of 1 and r^2 */
+    const double x2 = nodes[i] * nodes[i] / (radius * radius), ring = nodes[i] * weights[i];
+    const double h = def.plate.thickness * (1.0 - 0.4 * nodes[i] / radius);
+    for (uint32_t p = 0; p < 3; p++) mass[p] += ring * def.plate.density * h * pow(x2, p);
+    stiffness += ring * tb_plate_stiffness(&def.plate, h) * 8.0 * (1.0 + nu) / pow(radius, 4.0);
+  }
+  const double quotient = stiffness / (mass[2] - mass[1] * mass[1] / mass[0]);
+  assert_int_equal(frequencies(&def, 0, omega, 2), 2);
+  print_message("(0,1): omega^2 %.5g, Rayleigh's quotient %.5g\n", omega[1] * omega[1], quotient);
+  assert_true(omega[1] * omega[1] < quotient && omega[1] * omega[1] > 0.8 * quotient);
 }
 
 /* A light disc on its mount: the air adds 8/3 rho0 R^3 to its mass while sound is long [Lamb1932].
@@ -103,6 +211,9 @@ static void a_heaving_disc_carries_the_air_of_a_rigid_one(void **state) {
   (void)state;
   TaborDrumDef def = plate_def();
   def.plate = (TaborPlateDef){.thickness = 0.02,
+                              .taper = 1.0,
+                              .bell_radius = 0.05,
+                              .flange_width = 0.05,
                               .youngs_modulus = 1e12,
                               .poisson_ratio = 0.3,
                               .density = 100.0,
@@ -163,7 +274,13 @@ static void the_energy_account_closes(void **state) {
                                 [TABOR_QUALITY_STUDIO] = 1e-9,
                                 [TABOR_QUALITY_REFERENCE] = 1e-9};
   for (uint32_t quality = TABOR_QUALITY_DRAFT; quality <= TABOR_QUALITY_REFERENCE; quality++) {
-    const TaborDrumDef def = plate_def();
+    TaborDrumDef def = plate_def();
+    if (quality % 2) {
+      def.plate.taper = 0.6;
+      def.plate.bow = 0.01;
+      def.plate.bell_height = 0.012;
+      def.plate.flange_slope = 0.3;
+    }
     TaborModel *model = physics_model(&def, 48000.0, (TaborQuality)quality);
     TaborDrum *drum = physics_drum(model);
     TaborEvent strokes[7];
@@ -254,6 +371,10 @@ static void what_a_plate_has_not_got_is_refused(void **state) {
   refuses(two, "resonant");
   refuses(closed, "shell.boundary");
   refuses(wired, "wires.count");
+  TaborDrumDef wide = plate_def();
+  wide.plate.flange_slope = 0.3;
+  wide.plate.flange_width = 0.3;
+  refuses(wide, "plate.flange_width");
   const TaborDrumDef plate = plate_def();
   double pitch;
   assert_int_equal(tabor_drum_def_pitch(&plate, TABOR_HEAD_BATTER, &pitch, NULL), TABOR_ERROR_NAME);
@@ -263,6 +384,10 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(eigenvalues_are_those_of_the_literature),
     cmocka_unit_test(shapes_are_their_bessel_series),
+    cmocka_unit_test(clamped_modes_are_those_of_the_literature),
+    cmocka_unit_test(waves_are_derivatives_of_their_values),
+    cmocka_unit_test(a_cap_is_stiffer_by_its_curvature),
+    cmocka_unit_test(a_taper_moves_modes_as_rayleighs_quotient_says),
     cmocka_unit_test(a_heaving_disc_carries_the_air_of_a_rigid_one),
     cmocka_unit_test(modes_have_unit_mass_and_are_orthogonal),
     cmocka_unit_test(the_energy_account_closes),

@@ -155,15 +155,22 @@ static void draw_plate(uint64_t seed, TaborDrumDef *def) {
   def->shell.boundary = TABOR_BOUNDARY_OPEN;
   def->wires.count = 0;
   def->wires.head = TABOR_HEAD_BATTER;
-  def->plate = (TaborPlateDef){.thickness = draw_key(&seed, "plate.thickness"),
-                               .youngs_modulus = draw_key(&seed, "plate.youngs_modulus"),
-                               .poisson_ratio = draw_key(&seed, "plate.poisson_ratio"),
-                               .density = draw_key(&seed, "plate.density"),
-                               .damping_0 = draw_key(&seed, "plate.damping_0"),
-                               .loss = draw_key(&seed, "plate.loss"),
-                               .heave_frequency = draw_key(&seed, "plate.heave_frequency"),
-                               .tilt_frequency = draw_key(&seed, "plate.tilt_frequency"),
-                               .mount_damping = draw_key(&seed, "plate.mount_damping")};
+  def->plate =
+    (TaborPlateDef){.thickness = draw_key(&seed, "plate.thickness"),
+                    .youngs_modulus = draw_key(&seed, "plate.youngs_modulus"),
+                    .poisson_ratio = draw_key(&seed, "plate.poisson_ratio"),
+                    .density = draw_key(&seed, "plate.density"),
+                    .damping_0 = draw_key(&seed, "plate.damping_0"),
+                    .loss = draw_key(&seed, "plate.loss"),
+                    .heave_frequency = draw_key(&seed, "plate.heave_frequency"),
+                    .tilt_frequency = draw_key(&seed, "plate.tilt_frequency"),
+                    .mount_damping = draw_key(&seed, "plate.mount_damping"),
+                    .taper = draw_key(&seed, "plate.taper"),
+                    .bell_radius = draw_key(&seed, "plate.bell_radius"),
+                    .flange_width = fmin(draw_key(&seed, "plate.flange_width"), def->shell.radius)};
+  if (physics_random(&seed) % 2) def->plate.bow = draw_key(&seed, "plate.bow");
+  if (physics_random(&seed) % 2) def->plate.bell_height = draw_key(&seed, "plate.bell_height");
+  if (physics_random(&seed) % 2) def->plate.flange_slope = draw_key(&seed, "plate.flange_slope");
 }
 
 static bool is(const TaborParameter *p, const char *section, const char *key) {

@@ -174,7 +174,7 @@ typedef enum TaborTechnique {
 /** The kinds of body. */
 typedef enum TaborBodyKind {
   TABOR_BODY_DRUM, /**< a head or two on a shell, as [shell], [batter] and [resonant] say */
-  TABOR_BODY_PLATE /**< a flat round plate with a free edge, held in its middle */
+  TABOR_BODY_PLATE /**< a round plate with a free edge, held in its middle: a disc, a cymbal */
 } TaborBodyKind;
 
 /** The body. */
@@ -183,15 +183,19 @@ typedef struct TaborBodyDef {
 } TaborBodyDef;
 
 /**
- * A plate, of uniform thickness; its radius is that of [shell]. The damper and the ring of [batter]
- * lie on it. It has no wires, no resonant head and no hoop: strokes on the hoop meet the plate. A
- * thin plate, linear [Leissa1969]:
- * D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 - nu^2)).
- * The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], and by what it
- * radiates. Air is on both sides.
+ * A plate, flat or with the profile of a cymbal; its radius is R of [shell]. The damper and the
+ * ring of [batter] lie on it. It has no wires, no resonant head and no hoop: strokes on the hoop
+ * meet the plate. A thin plate, linear; flat, it is that of [Leissa1969]:
+ * D lap^2 w + rho h w_tt + losses = forces, D = E h^3/(12 (1 - nu^2)),
+ * and with a profile a shallow shell of revolution, stiff in its middle surface too
+ * [ThomasTouzeChaigne2005]. Its thickness goes linearly from the middle to the edge; it rises by
+ * bow (1 - r^2/R^2) + bell_height (1 - r^2/bell_radius^2)^2, the bell within its radius, and its
+ * slope grows by flange_slope over the outer flange_width.
+ * The amplitude of a mode at omega decays by (damping_0 + loss omega)/2 [1/s], the second in so far
+ * as the plate is what is stiff, and by what it radiates. Air is on both sides.
  */
 typedef struct TaborPlateDef {
-  double thickness;       /**< h [m], 1e-4 to 0.02, default 0.001 */
+  double thickness;       /**< h in the middle [m], 1e-4 to 0.02, default 0.001 */
   double youngs_modulus;  /**< E [Pa], 1e8 to 1e12, default 1.05e11 (bronze) */
   double poisson_ratio;   /**< nu, 0 to 0.49, default 0.34 */
   double density;         /**< rho [kg/m3], 100 to 30000, default 8650 */
@@ -200,6 +204,12 @@ typedef struct TaborPlateDef {
   double heave_frequency; /**< at which it bounces on its mount [Hz], 5 to 200, default 50 */
   double tilt_frequency;  /**< at which it swings on its mount [Hz], 0.5 to 50, default 1.6 */
   double mount_damping; /**< of both motions, as a part of critical damping, 0 to 2, default 0.15 */
+  double taper;         /**< thickness at the edge over that in the middle, 0.2 to 2, default 1 */
+  double bow;           /**< rise of the middle without the bell [m], 0 to 0.05, default 0 */
+  double bell_radius;   /**< [m], 0.01 to 0.6, default 0.055 */
+  double bell_height;   /**< over the bow [m], 0 to 0.05, default 0: no bell */
+  double flange_width;  /**< [m], 0.005 to 0.6 and at most R, default 0.04 */
+  double flange_slope;  /**< at the edge, 0 to 1, default 0: no flange */
 } TaborPlateDef;
 
 /** The shell, which holds the heads. */

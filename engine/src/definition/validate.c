@@ -144,6 +144,15 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }
 
+static TaborStatus check_flange(const TaborDrumDef *def, TaborError *error) {
+  const double width = def->plate.flange_width, radius = def->shell.radius;
+  if (def->plate.flange_slope == 0.0 || width <= radius) return TABOR_OK;
+  char value[TB_NUMBER_SIZE];
+  tb_number_print(width, value);
+  return tb_error_set(error, TABOR_ERROR_RANGE, "plate.flange_width", value, 0.005, radius,
+                      "plate.flange_width = %s is more than shell.radius, %g m", value, radius);
+}
+
 /* Refuses what a plate has not got. */
 static TaborStatus check_plate(const TaborDrumDef *def, TaborError *error) {
   if (def->body.kind != TABOR_BODY_PLATE) return TABOR_OK;
@@ -155,7 +164,7 @@ static TaborStatus check_plate(const TaborDrumDef *def, TaborError *error) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "shell.boundary", NULL, NAN, NAN,
                         "body.kind = plate: shell.boundary has to be open");
   }
-  if (def->wires.count == 0) return TABOR_OK;
+  if (def->wires.count == 0) return check_flange(def, error);
   char value[TB_NUMBER_SIZE];
   tb_number_print(def->wires.count, value);
   return tb_error_set(error, TABOR_ERROR_RANGE, "wires.count", value, 0, 0,

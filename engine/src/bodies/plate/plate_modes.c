@@ -5,7 +5,9 @@
 
 #include "bodies/felt_ring.h"
 #include "bodies/loaded_mode.h"
-#include "bodies/plate/free_plate.h"
+#include "bodies/plate/disc_modes.h"
+#include "bodies/plate/plate_forms.h"
+#include "bodies/plate/plate_profile.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
 
@@ -17,23 +19,29 @@ static const double BASIS_PER_LAMBDA = 2.0, BASIS_MORE = 40.0;
 /* The highest lambda, in units of the highest zero: a bronze disc of 40 cm and 0.15 mm would reach
  * it above 17 kHz, but TbBodyLimits.modes ends thin plates earlier at draft and live. */
 static const double MOST_OF_BASIS = 0.8;
-/* Modes in vacuo up to here, in units of the highest lambda, make up those in air. */
+/* Modes of the flat disc up to here, in units of the highest lambda, make up those of the plate in
+ * air. */
 static const double MARGIN = 1.15;
 
-double tb_plate_stiffness(const TaborPlateDef *plate) {
-  const double h = plate->thickness;
-  return plate->youngs_modulus * h * h * h /
+double tb_plate_stiffness(const TaborPlateDef *plate, double thickness) {
+  return plate->youngs_modulus * thickness * thickness * thickness /
          (12.0 * (1.0 - plate->poisson_ratio * plate->poisson_ratio));
 }
 
-static double surface_density(const TaborPlateDef *plate) {
-  return plate->density * plate->thickness;
+/* lambda^2 over omega of a flat disc [s]: R^2 sqrt(rho h/D). */
+static double square_per_omega(const TaborDrumDef *def, double thickness) {
+  return def->shell.radius * def->shell.radius *
+         sqrt(def->plate.density * thickness / tb_plate_stiffness(&def->plate, thickness));
 }
 
-/* lambda^2 over omega [s]: R^2 sqrt(rho h/D). */
-static double square_per_omega(const TaborDrumDef *def) {
-  return def->shell.radius * def->shell.radius *
-         sqrt(surface_density(&def->plate) / tb_plate_stiffness(&def->plate));
+/* The mean over the area. */
+static double mean_thickness(const TaborPlateDef *plate) {
+  return plate->thickness * (1.0 + (plate->taper - 1.0) * 2.0 / 3.0);
+}
+
+/* Waves are shortest there. */
+static double least_thickness(const TaborPlateDef *plate) {
+  return plate->thickness * fmin(1.0, plate->taper);
 }
 
 static TaborStatus resolve(TaborDrumDef *def, const TbArena *beside, TaborError *error) {
@@ -49,15 +57,16 @@ static void sheets(const TaborDrumDef *def, TaborHeadDef sheet[TB_HEADS]) {
     sheet[h].tension = sheet[h].damping_k = sheet[h].damping_1 = 0.0;
     sheet[h].stretch_stiffness = sheet[h].unevenness = sheet[h].lug_spread = 0.0;
     for (uint32_t j = 0; j < TABOR_MAX_LUGS; j++) sheet[h].lug[j] = NAN;
-    sheet[h].surface_density = surface_density(&def->plate);
-    sheet[h].bending_stiffness = tb_plate_stiffness(&def->plate);
+    sheet[h].surface_density = def->plate.density * mean_thickness(&def->plate);
+    sheet[h].bending_stiffness = tb_plate_stiffness(&def->plate, mean_thickness(&def->plate));
     sheet[h].damping_0 = def->plate.damping_0;
   }
 }
 
 /* About lambda^2/4 modes lie below lambda, copies counted. */
 static double highest_lambda(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits) {
-  const double wanted = sqrt(2.0 * PI * bandwidth * square_per_omega(def));
+  const double shortest = square_per_omega(def, least_thickness(&def->plate));
+  const double wanted = sqrt(2.0 * PI * bandwidth * shortest);
   const double room = sqrt(4.0 * limits.modes) - 6.0; /* edge modes are some 3 lambda/2 more */
   const double most = fmin(room, MOST_OF_BASIS * TB_TOP_ZERO);
   return fmin(wanted, most);
@@ -66,61 +75,69 @@ static double highest_lambda(const TaborDrumDef *def, double bandwidth, TbBodyLi
 static double basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits,
                     double *reached) {
   const double lambda = highest_lambda(def, bandwidth, limits);
-  *reached = fmin(bandwidth, lambda * lambda / (2.0 * PI * square_per_omega(def)));
+  const double shortest = square_per_omega(def, least_thickness(&def->plate));
+  *reached = fmin(bandwidth, lambda * lambda / (2.0 * PI * shortest));
   return fmin(BASIS_PER_LAMBDA * lambda + BASIS_MORE, TB_TOP_ZERO);
 }
 
 /* Data that the orders of a plate share. */
 typedef struct Shared {
   const TaborDrumDef *def;
-  double omega_per_square; /* of lambda [rad/s] */
-  double limit;            /* [rad/s] */
-  double top;              /* lambda of the modes in vacuo that are used */
+  TbPlatePoints points;
+  double limit; /* [rad/s] */
+  double top;   /* lambda of the disc's modes that are used */
 } Shared;
 
-/* The modes in vacuo of one order, and room for one in air. */
+/* The flat disc's modes of one order, what a plate in vacuo is in them, and room for one in air. */
 typedef struct Work {
   const Shared *shared;
   const TbAirOrder *air;
   uint32_t count;
-  TbFreePlateMode *modes;
-  double *mass, *stiffness, *loss; /* [count] M_k, K, and C/M without the loss factor */
-  double *y;                       /* [count][air->count], with the edge's motion */
+  TbDiscMode *modes;
+  double *mass, *stiffness; /* [count][count]; the stiffness without the mount's */
+  /* [1/(kg s2), 1/(kg s)]: of the momentum in the rigid motion. */
+  double mount_stiffness, mount_loss;
+  double *y; /* [count][air->count], with the edge's motion */
   const double *ring;
 } Work;
 
-static void find_own(const Work *w, uint32_t k) {
-  const TaborDrumDef *def = w->shared->def;
-  const TbFreePlateMode *mode = &w->modes[k];
-  const double azimuth = w->air->m ? PI : 2.0 * PI, radius = def->shell.radius;
-  const double mount = w->air->m ? def->plate.tilt_frequency : def->plate.heave_frequency;
-  const bool rigid = mode->lambda == 0.0;
-  const double omega =
-    rigid ? 2.0 * PI * mount : w->shared->omega_per_square * mode->lambda * mode->lambda;
-  w->mass[k] = azimuth * radius * radius * surface_density(&def->plate) * mode->square;
-  w->stiffness[k] = w->mass[k] * omega * omega;
-  w->loss[k] = rigid ? 2.0 * def->plate.mount_damping * omega : def->plate.damping_0;
+static void find_series(const Work *w, uint32_t k) {
   for (uint32_t i = 0; i < w->air->count; i++) {
     w->y[k * w->air->count + i] =
-      tb_free_plate_amplitude(mode, w->air->zeros[i], w->air->slopes[i]) +
-      mode->edge * tb_body_lift(w->air, i);
+      tb_disc_amplitude(&w->modes[k], w->air->zeros[i], w->air->slopes[i]) +
+      w->modes[k].edge * tb_body_lift(w->air, i);
   }
 }
 
-static bool prepare_work(Work *w, TbArena *scratch) {
-  const TaborDrumDef *def = w->shared->def;
-  const uint32_t room = w->air->count + 2u;
+/* The mount acts on the rigid motion, the first mode of m < 2: by the momentum in it, in which bent
+ * modes have no part. */
+static void hold_middle(Work *w) {
+  const TaborPlateDef *plate = &w->shared->def->plate;
+  if (w->air->m >= 2 || w->count == 0) return;
+  const double omega = 2.0 * PI * (w->air->m ? plate->tilt_frequency : plate->heave_frequency);
+  w->mount_stiffness = omega * omega / w->mass[0];
+  w->mount_loss = (2.0 * plate->mount_damping * omega - plate->damping_0) / w->mass[0];
+}
+
+static TaborStatus prepare_work(Work *w, TbArena *scratch) {
+  const Shared *shared = w->shared;
+  const TaborDrumDef *def = shared->def;
+  const uint32_t m = w->air->m, room = w->air->count + 2u;
   w->modes = tb_arena_take(scratch, room, sizeof *w->modes);
-  if (!w->modes) return false;
-  w->count =
-    tb_free_plate_modes(w->air->m, def->plate.poisson_ratio, w->shared->top, w->modes, room);
-  w->mass = tb_arena_doubles(scratch, w->count + 1u);
-  w->stiffness = tb_arena_doubles(scratch, w->count + 1u);
-  w->loss = tb_arena_doubles(scratch, w->count + 1u);
+  if (!w->modes) return TABOR_ERROR_MEMORY;
+  w->count = tb_disc_modes(TB_DISC_FREE, m, def->plate.poisson_ratio, shared->top, w->modes, room);
+  w->mass = tb_arena_doubles(scratch, (size_t)w->count * w->count + 1u);
+  w->stiffness = tb_arena_doubles(scratch, (size_t)w->count * w->count + 1u);
   w->y = tb_arena_doubles(scratch, (size_t)(w->count + 1u) * w->air->count);
-  if (scratch->failed) return false;
-  for (uint32_t k = 0; k < w->count; k++) find_own(w, k);
-  return tb_felt_ring_matrix(&def->batter, def->shell.radius, scratch, w->air, &w->ring);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  const TaborStatus status = tb_plate_forms(def, &shared->points, m, shared->top, w->modes,
+                                            w->count, scratch, w->mass, w->stiffness);
+  if (status != TABOR_OK) return status;
+  hold_middle(w);
+  for (uint32_t k = 0; k < w->count; k++) find_series(w, k);
+  const bool found =
+    tb_felt_ring_matrix(&def->batter, def->shell.radius, scratch, w->air, &w->ring);
+  return found ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
 /* y_k^T A y_l, with A y_l in `loaded`. */
@@ -151,40 +168,48 @@ static TaborStatus solve(const Work *w, TbArena *scratch, double *squares, doubl
   double *mass = tb_arena_doubles(scratch, (size_t)n * n);
   double *stiffness = tb_arena_doubles(scratch, (size_t)n * n);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
+  for (size_t i = 0; i < (size_t)n * n; i++) {
+    mass[i] = w->mass[i];
+    stiffness[i] = w->stiffness[i];
+  }
   for (uint32_t k = 0; k < n; k++) {
-    mass[k * n + k] = w->mass[k];
-    stiffness[k * n + k] = w->stiffness[k];
+    for (uint32_t l = 0; l < n; l++) {
+      stiffness[k * n + l] += w->mount_stiffness * w->mass[k] * w->mass[l];
+    }
   }
   if (w->shared->def->air.density > 0.0 && !add_air(w, scratch, mass)) return TABOR_ERROR_MEMORY;
   if (tb_eigen_symmetric(scratch, n, stiffness, mass, squares, vectors)) return TABOR_OK;
   return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
 }
 
-/* The loss without its part that the loss factor gives, which depends on the frequency. */
-static TbOwnParts own_parts(const Work *w, const double *u) {
-  TbOwnParts own = {0.0, 0.0, 0.0};
-  for (uint32_t k = 0; k < w->count; k++) {
-    own.mass += u[k] * u[k] * w->mass[k];
-    own.stiffness += u[k] * u[k] * w->stiffness[k];
-    own.loss += u[k] * u[k] * w->mass[k] * w->loss[k];
-  }
-  return own;
-}
-
-/* The stiffness that bending has of a mode's. */
-static double bending_part(const Work *w, const double *u) {
+static double form(uint32_t n, const double *matrix, const double *u) {
   double sum = 0.0;
-  for (uint32_t k = 0; k < w->count; k++) {
-    if (w->modes[k].lambda > 0.0) sum += u[k] * u[k] * w->stiffness[k];
+  for (uint32_t k = 0; k < n; k++) {
+    for (uint32_t l = 0; l < n; l++) sum += u[k] * matrix[(size_t)k * n + l] * u[l];
   }
   return sum;
 }
 
-/* The mode in vacuo that moves most. */
+/* A mode's share of the plate itself, and of the loss without the part that the loss factor gives,
+ * which depends on the frequency. */
+static TbOwnParts own_parts(const Work *w, double stiffness, const double *u) {
+  double rigid = 0.0;
+  for (uint32_t k = 0; k < w->count; k++) rigid += w->mass[k] * u[k];
+  rigid *= rigid;
+  const double mass = form(w->count, w->mass, u);
+  return (TbOwnParts){.mass = mass,
+                      .stiffness = stiffness + rigid * w->mount_stiffness,
+                      .loss = w->shared->def->plate.damping_0 * mass + rigid * w->mount_loss};
+}
+
+/* The disc's mode that moves most. */
 static uint32_t strongest(const Work *w, const double *u) {
   uint32_t most = 0;
-  for (uint32_t k = 1; k < w->count; k++) {
-    if (u[k] * u[k] * w->mass[k] > u[most] * u[most] * w->mass[most]) most = k;
+  double weight = 0.0;
+  for (uint32_t k = 0; k < w->count; k++) {
+    const double own = u[k] * u[k] * w->mass[(size_t)k * w->count + k];
+    if (own > weight) most = k;
+    weight = fmax(weight, own);
   }
   return most;
 }
@@ -207,7 +232,8 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   if (!y) return false;
   *edge = keep_vector(w, u, kept);
   for (uint32_t i = 0; i < w->air->count; i++) y[i] = kept[i] + *edge * tb_body_lift(w->air, i);
-  const TbOwnParts own = own_parts(w, u);
+  const double stiffness = form(w->count, w->stiffness, u);
+  const TbOwnParts own = own_parts(w, stiffness, u);
   TbAirParts load;
   mode->omega = sqrt(square);
   if (!tb_load_mode(def, scratch, w->air, &own, y, mode, &load)) return false;
@@ -217,7 +243,7 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   *edge *= unit;
   if (!def->quality.losses) return true;
   const double loss = own.loss + tb_felt_ring_loss(w->ring, w->air->count, y) +
-                      def->plate.loss * bending_part(w, u) / mode->omega;
+                      def->plate.loss * stiffness / mode->omega;
   mode->radiation_rate = 0.5 * fmax(0.0, load.resistance) / total;
   mode->decay_rate = 0.5 * loss / total + mode->radiation_rate;
   return true;
@@ -249,14 +275,14 @@ static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scr
                                const TbAirOrder *air, TbBodyOrder *order, TbBodyMode *modes,
                                uint32_t room) {
   Work w = {.shared = context, .air = air};
-  if (!prepare_work(&w, scratch)) return TABOR_ERROR_MEMORY;
-  if (w.count == 0) return TABOR_OK;
+  TaborStatus status = prepare_work(&w, scratch);
+  if (status != TABOR_OK || w.count == 0) return status;
   double *squares = tb_arena_doubles(scratch, w.count);
   double *vectors = tb_arena_doubles(scratch, (size_t)w.count * w.count);
   order->vectors[0] = tb_arena_doubles(arena, (size_t)w.count * air->count);
   order->edge = tb_arena_doubles(arena, w.count);
   if (arena->failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  const TaborStatus status = solve(&w, scratch, squares, vectors);
+  status = solve(&w, scratch, squares, vectors);
   if (status != TABOR_OK) return status;
   return finish_modes(&w, arena, squares, vectors, order, modes, room);
 }
@@ -267,12 +293,18 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
     .surfaces = 1, .most_modes = limits.modes, .radius = def->shell.radius, .free_edge = true};
   sheets(def, body->sheet);
   const double basis_top = basis(def, bandwidth, limits, &body->bandwidth);
-  const Shared shared = {.def = def,
-                         .omega_per_square = 1.0 / square_per_omega(def),
-                         .limit = 2.0 * PI * body->bandwidth,
-                         .top = MARGIN * highest_lambda(def, bandwidth, limits)};
-  return tb_body_build_orders(body, arena, basis_top, (uint32_t)shared.top + 3u, build_order,
-                              &shared);
+  Shared shared = {.def = def,
+                   .limit = 2.0 * PI * body->bandwidth,
+                   .top = MARGIN * highest_lambda(def, bandwidth, limits)};
+  TbArena scratch;
+  tb_arena_beside(&scratch, arena);
+  const TaborStatus status =
+    tb_plate_points(def, shared.top, &scratch, &shared.points)
+      ? tb_body_build_orders(body, arena, basis_top, (uint32_t)shared.top + 3u, build_order,
+                             &shared)
+      : TABOR_ERROR_MEMORY;
+  tb_arena_release(&scratch);
+  return status;
 }
 
 /* Modes in air take sums over their Bessel functions, as those of an open head: see
@@ -280,7 +312,8 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
 static TbBodyCost cost(const TaborDrumDef *def, const TaborDrumDef *resolved, double basis_top,
                        double bandwidth, uint32_t most_modes) {
   (void)def;
-  const double square = 2.0 * PI * bandwidth * square_per_omega(resolved);
+  const double square =
+    2.0 * PI * bandwidth * square_per_omega(resolved, mean_thickness(&resolved->plate));
   const double modes = fmin(most_modes, 0.25 * square + 1.5 * sqrt(square) + 3.0);
   const bool air = resolved->air.density > 0.0;
   return (TbBodyCost){.modes = modes, .prepare = 1e-3 + (air ? 1e-6 : 1e-7) * modes * basis_top};

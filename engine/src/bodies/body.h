@@ -14,6 +14,7 @@
 #define TB_BODY_H
 
 #include "air_model/far_field.h"
+#include "bodies/membrane.h"
 
 /* Surfaces of a body, at most: of a drum its two heads. */
 #define TB_HEADS 2u
@@ -52,6 +53,8 @@ typedef struct TbBodyLimits {
   uint32_t modes; /* sine copies counted */
   double zero;    /* the largest Bessel zero of a mode, at most TB_TOP_ZERO */
   double rim; /* modes that move mostly the rim are kept up to here, if above the bandwidth [Hz] */
+  double coupled; /* modes of a plate with fewer waves than lambda = this in a radius are coupled by
+                     large deflections */
 } TbBodyLimits;
 
 /* Above this zero and its margin, orders would exceed TB_MAX_ORDERS. */
@@ -68,6 +71,7 @@ typedef struct TbBody {
   bool free_edge;   /* the edge is the surface's own, without a hoop; else what lies on a surface
                        moves with the edge */
   TaborHeadDef sheet[TB_HEADS]; /* of each surface: its mass, stiffness, losses, unevenness */
+  TbMembrane membrane;          /* of a plate */
 } TbBody;
 
 /* ---- a kind of body -------------------------------------------------------------------------- */

@@ -177,6 +177,9 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_PLATE_FLANGE_SLOPE, "plate", "flange_slope", "",
        "slope at the edge that the flange adds; 0: there is none", NUMBER(0, 1, 0)),
    IN_PLATE(flange_slope)},
+  {ROW(TB_PARAM_PLATE_LARGE_DEFLECTIONS, "plate", "large_deflections", "",
+       "1, or 0 for a plate whose modes never couple, however hard it is struck", WHOLE(0, 1, 1)),
+   IN_PLATE(large_deflections)},
 
   {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads, or of a plate",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),

@@ -330,6 +330,10 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
   state->quiet_checks = from->state->quiet_checks;
   state->hushed = from->state->hushed;
   state->stretches = from->state->stretches;
+  if (to->model->plate.tables.pairs > 0) {
+    state->plate = from->state->plate;
+    *to->now.psi = *from->now.psi;
+  }
   (void)tb_moving_wake(to, NULL);
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);

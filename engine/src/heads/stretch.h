@@ -46,6 +46,6 @@ void tb_stretch_respond(TbView *view);
 /* Call after `product` was recomputed without any stretch. */
 void tb_stretch_clear(TbView *view);
 /* Energy stored between two instants [J]; nothing while heads move as linear ones. */
-double tb_stretch_energy(const TbView *view, const double *next, const double *now);
+double tb_stretch_energy(const TbView *view, const TbPhase *next, const TbPhase *now);
 
 #endif

@@ -13,6 +13,7 @@
 #include <stdint.h>
 
 #include "kernels/contact_law.h"
+#include "kernels/von_karman.h"
 #include "kernels/wire_grid.h"
 
 /* A penetration in single precision above -TB_NEAR may be a contact: rounding shifts gaps of

@@ -12,6 +12,7 @@
 #ifdef TB_FLOAT
 #  include "kernels/simd_contact_trial.h"
 #  include "kernels/simd_narrow.h"
+#  include "kernels/simd_von_karman.h"
 #else
 #  include "kernels/simd_state.h"
 #endif
@@ -54,6 +55,7 @@ const TYPE_OF(TbKernels) TB_TABLE = {
   .newton_diagonal = newton_diagonal,
   .newton_residual = newton_residual,
   .sum_scaled = sum_scaled,
+  .von_karman = von_karman,
 #else
   .newton_rhs = newton_rhs,
   .gemv_rounded = gemv_rounded,

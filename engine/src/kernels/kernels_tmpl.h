@@ -186,6 +186,8 @@ typedef struct TB_TYPE(TbKernels) {
                                  const float *before, float *r, float *d);
   /* out = f[0] x[0] + f[1] x[1] + ..., with `count` terms */
   void (*sum_scaled)(uint32_t n, uint32_t count, const float *f, const float *const *x, float *out);
+  /* The coupling terms of V at q, and its gradient: both [pairs][2], the cosine before the sine. */
+  double (*von_karman)(const TbVonKarman *plate, const float *q, float *gradient, float *scratch);
 #else
   /* weight = sqrt(slope), r = (s - b) + p, d = -weight r */
   TbResidual (*newton_rhs)(uint32_t n, const double *slope, const double *s, const double *b,

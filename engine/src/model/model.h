@@ -16,6 +16,7 @@
 #include "model/contact_rows.h"
 #include "model/high_band.h"
 #include "model/mic_response.h"
+#include "model/plate_coupling.h"
 #include "model/projection.h"
 #include "model/radiated_power.h"
 #include "model/state_arrays.h"
@@ -137,6 +138,7 @@ struct TaborModel {
   TbWireGridF wire_gridf;    /* for contacts in single precision */
   TbComplianceF compliancef; /* for contacts in single precision */
   TbStretch stretch;
+  TbPlateCoupling plate;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *palm_patch;

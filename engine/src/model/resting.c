@@ -69,8 +69,8 @@ static void raise_floor(TaborModel *model, uint32_t mode) {
   }
 }
 
-/* Modes that are moved not by strikers alone: by wires, by uneven lugs, by the sound of other
- * drums. */
+/* Modes that are moved not by strikers alone: by wires, by uneven lugs, by a plate's large
+ * deflections, by the sound of other drums. */
 static void find_floor(TaborModel *model) {
   const TbModes *modes = &model->modes;
   const TbLugs *lugs = &model->lugs;
@@ -80,6 +80,10 @@ static void find_floor(TaborModel *model) {
   }
   for (uint32_t group = 0; lugs->count > 0 && group <= modes->groups; group++) {
     if (lugs->size[group] > 0) raise_floor(model, lugs->from[group] + lugs->size[group] - 1u);
+  }
+  const TbParts *parts = &model->stretch.parts;
+  for (uint32_t i = 0; i < parts->count && model->plate.tables.pairs > 0; i++) {
+    if (parts->mixed[i] > 0) raise_floor(model, parts->from[i] + parts->mixed[i] - 1u);
   }
   for (uint32_t i = 0; i < modes->low.count; i++) {
     if (modes->low.end[i] > modes->low.from[i]) raise_floor(model, modes->low.end[i] - 1u);

@@ -14,6 +14,9 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
 #define TB_STATE_ROWS (tb_row_count(&model->rows))
 #define TB_STATE_GRID (model->projection.wire_grid.size)
 #define TB_STATE_MODES (model->modes.padded)
+/* Floats, two in the room of a double: fields, displacements and gradient. */
+#define TB_STATE_PLATE                                                                             \
+  ((tb_von_karman_scratch(&model->plate.tables) + 2u * tb_pad(2u * model->plate.tables.pairs)) / 2u)
 
 /* Arrays that the view has elsewhere: instants (TbPhase), and workspaces of the solve, which have
  * no name here. */
@@ -47,6 +50,7 @@ typedef enum TbArrayKind { TB_DOUBLES, TB_FLOATS, TB_HIGH_REALS, TB_SCRATCH } Tb
         stretch.pull[copy])                                                                        \
   ARRAY(stretch_mixed, TB_DOUBLES, TB_COUPLINGS, model->stretch.count, TB_STATE_MODES,             \
         stretch.mixed[copy])                                                                       \
+  ARRAY(plate_scratch, TB_SCRATCH, 1, 1, TB_STATE_PLATE, stretch.scratch)                          \
   ARRAY(stretch_grid, TB_DOUBLES, TB_COUPLINGS, model->stretch.count, TB_STATE_GRID,               \
         solve.in.stretch_grid[copy])                                                               \
   ARRAY(stretch_carry, TB_DOUBLES, 1, 1, TB_STATE_GRID + TB_SLOTS, stretch.carry)                  \

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "model/plate_coupling.h"
+
 static const double PI = 3.14159265358979323846;
 
 /* Modes up to this many times the lowest frequency count, at every quality: at live these are all
@@ -107,7 +109,25 @@ static void prepare_hold(TaborModel *model) {
   }
 }
 
+/* Large deflections of a plate are a coupling as the stretch of a head is, W = 1/(4 + Y^T g Y) of
+ * heads/stretch.h, without a diagonal G. */
+static TaborStatus prepare_plate(TaborModel *model) {
+  const double top = model->body.membrane.top;
+  const TbStretchExtent all = {top / tb_body_lowest(&model->body), {.least = 0.0, .top = top}};
+  TbStretch *stretch = &model->stretch;
+  stretch->count = 1;
+  stretch->factor[0] = 0.5;
+  stretch->hold = UINT32_MAX;
+  prepare_parts(model, all);
+  for (uint32_t h = 0; h < TB_HEADS; h++) list_felt(stretch, &model->modes, h);
+  stretch->gain[0] = tb_arena_doubles(&model->arena, model->modes.padded);
+  return stretch->gain[0] ? TABOR_OK : TABOR_ERROR_MEMORY;
+}
+
 TaborStatus tb_stretch_prepare(TaborModel *model) {
+  const TaborStatus status = tb_plate_coupling_prepare(model);
+  if (status != TABOR_OK) return status;
+  if (model->plate.tables.pairs > 0) return prepare_plate(model);
   const TbStretchExtent usual = {TOP, tb_mixing_limits(model)};
   return tb_stretch_prepare_to(model, usual);
 }

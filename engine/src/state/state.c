@@ -15,6 +15,7 @@ static void *at(TbState *state, size_t offset) { return (char *)state + HEADER +
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
   return (TbPhase){at(state, layout->q[index]),    at(state, layout->v[index]),
                    at(state, layout->eta[index]),  state->strikers.z[index],
+                   &state->plate.psi[index],
                    at(state, layout->high[index]), state->strikers.truncated[index],
                    state->strikers.bow[index]};
 }

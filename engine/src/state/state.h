@@ -10,6 +10,7 @@
 #include "state/ledger_state.h"
 #include "state/live_values.h"
 #include "state/mic_state.h"
+#include "state/plate_state.h"
 #include "state/stretch_view.h"
 #include "state/striker_state.h"
 #include "state/wire_state.h"
@@ -29,6 +30,7 @@ typedef struct TbState {
   double incident;     /* sound from outside at the last frame [Pa] */
   TbLiveValues live;
   TbStrikerState strikers;
+  TbPlateState plate;
   TbWireState wires;
   TbHighBandState high;
   TbMicState mics;
@@ -36,10 +38,10 @@ typedef struct TbState {
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows (a row is one contact),
- * heights of strikers, modes of the high band, the head's truncated modes under each striker, and
+ * heights of strikers, the root of a plate's large deflections' energy since the instant before, modes of the high band, the head's truncated modes under each striker, and
  * bending of sticks. */
 typedef struct TbPhase {
-  double *q, *v, *eta, *z;
+  double *q, *v, *eta, *z, *psi;
   void *high; /* in the high band's precision */
   double (*truncated)[TB_TRUNCATED], (*bow)[TB_BENDS];
 } TbPhase;

@@ -14,6 +14,7 @@ typedef struct TbStretchView {
   uint32_t count;       /* heads that stretch in this step: all that can, or none */
   TbStretching sums;    /* of this sample, if `summed` */
   bool summed;
+  float *scratch; /* of a plate's large deflections */
 } TbStretchView;
 
 #endif

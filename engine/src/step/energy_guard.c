@@ -17,6 +17,7 @@ static void shorten_all(TbView *view, double t) {
   shorten(wires->node_count, view->next.v, view->last.v, t);
   shorten(tb_row_count(&view->model->rows), view->next.eta, view->last.eta, t);
   shorten(TB_SLOTS, view->next.z, view->last.z, t);
+  shorten(1, view->next.psi, view->now.psi, t); /* it lies between two instants */
   shorten(TB_SLOTS * TB_TRUNCATED, view->next.truncated[0], view->last.truncated[0], t);
   shorten(TB_SLOTS * TB_BENDS, view->next.bow[0], view->last.bow[0], t);
   for (uint32_t row = 0; row < tb_row_count(&view->model->rows); row++) view->s[row] *= t;

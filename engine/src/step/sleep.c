@@ -9,6 +9,7 @@
 #include "heads/coupling.h"
 #include "heads/moving_modes.h"
 #include "heads/stretch.h"
+#include "heads/von_karman.h"
 #include "step/energy.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
@@ -81,6 +82,7 @@ static void return_to_rest(TbView *view) {
   tb_solve_product(&view->solve, view->solve.warm.force, view->solve.warm.grid,
                    view->solve.warm.product);
   tb_stretch_clear(view);
+  view->state->plate = (TbPlateState){.part = 0.0};
 }
 
 static void stop(TbView *view) {
@@ -192,6 +194,7 @@ void tb_sleep_check(TbView *view) {
     return;
   }
   clear_vanished(view);
+  if (tb_von_karman_relax(view)) tb_mic_hear_anew(view);
   rest(view);
   tb_wire_clearance_begin(view);
   tb_pluck_calm(view);

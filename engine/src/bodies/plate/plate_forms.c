@@ -74,26 +74,16 @@ bool tb_plate_points(const TaborDrumDef *def, double top, TbArena *arena, TbPlat
 
 /* ---- forms ----------------------------------------------------------------------------------- */
 
-/* Values of several modes at the points. */
-typedef struct Waves {
-  uint32_t count;
-  TbDiscWave *of;
-} Waves;
-
-static bool find_waves(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                       const TbDiscMode *modes, uint32_t count, TbArena *scratch, Waves *waves) {
-  *waves = (Waves){.count = count, .of = tb_arena_take(scratch, count + 1u, sizeof *waves->of)};
-  double *values = tb_arena_doubles(scratch, (size_t)4 * points->count * (count + 1u));
-  if (scratch->failed) return false;
-  for (uint32_t k = 0; k < count; k++) {
-    double *at = values + (size_t)4 * points->count * k;
-    waves->of[k] = (TbDiscWave){.value = at,
-                                .radial = at + points->count,
-                                .azimuthal = at + 2u * points->count,
-                                .twist = at + 3u * points->count};
-    tb_disc_wave(&modes[k], m, def->shell.radius, points->count, points->r, &waves->of[k]);
+TbDiscWave *tb_plate_waves(const TaborDrumDef *def, uint32_t m, const TbDiscMode *modes,
+                           uint32_t mode_count, uint32_t count, const double *r, TbArena *scratch) {
+  TbDiscWave *waves = tb_arena_take(scratch, mode_count + 1u, sizeof *waves);
+  double *at = tb_arena_doubles(scratch, (size_t)4 * count * (mode_count + 1u));
+  if (scratch->failed) return NULL;
+  for (uint32_t k = 0; k < mode_count; k++, at += (size_t)4 * count) {
+    waves[k] = (TbDiscWave){at, at + count, at + 2u * count, at + 3u * count};
+    tb_disc_wave(&modes[k], m, def->shell.radius, count, r, &waves[k]);
   }
-  return true;
+  return waves;
 }
 
 /* Int stiffness [(A + B)(A + B) - part (A B + B A - 2 C C)] r dr of two modes. */
@@ -109,12 +99,12 @@ static double curvature_product(const TbPlatePoints *points, const double *stiff
   return sum;
 }
 
-/* Int factor f_k f_l r dr. */
+/* Int factor f_k f_l r dr; NULL: 1. */
 static double value_product(const TbPlatePoints *points, const double *factor, const TbDiscWave *k,
                             const TbDiscWave *l) {
   double sum = 0.0;
   for (uint32_t i = 0; i < points->count; i++) {
-    sum += points->ring[i] * factor[i] * k->value[i] * l->value[i];
+    sum += points->ring[i] * (factor ? factor[i] : 1.0) * k->value[i] * l->value[i];
   }
   return sum;
 }
@@ -136,67 +126,101 @@ static void mirror(uint32_t n, double *matrix) {
   }
 }
 
-/* K += a_m E^T G^-1 E. */
-static TaborStatus add_membrane(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                                double top, const Waves *deflections, TbArena *scratch,
-                                double azimuth, double *stiffness) {
-  const uint32_t n = deflections->count, room = n + 2u;
-  const double part = 1.0 + def->plate.poisson_ratio;
-  TbDiscMode *modes = tb_arena_take(scratch, room, sizeof *modes);
-  if (!modes) return TABOR_ERROR_MEMORY;
-  const uint32_t count = tb_disc_modes(TB_DISC_CLAMPED, m, 0.0, top, modes, room);
-  Waves stresses;
-  if (!find_waves(def, points, m, modes, count, scratch, &stresses)) return TABOR_ERROR_MEMORY;
-  double *gram = tb_arena_doubles(scratch, (size_t)count * count + 1u);
-  double *coupling = tb_arena_doubles(scratch, (size_t)n * count + 1u); /* [k][j] */
-  double *solved = tb_arena_doubles(scratch, (size_t)n * count + 1u);
+/* What the forms of one order are made of. */
+typedef struct Order {
+  const TaborDrumDef *def;
+  const TbPlatePoints *points;
+  double azimuth; /* a_m */
+  const TbDiscWave *deflections, *stresses;
+} Order;
+
+static void fill_deflections(const Order *o, TbPlateForms *forms) {
+  const double part = 1.0 - o->def->plate.poisson_ratio;
+  for (uint32_t k = 0; k < forms->count; k++) {
+    for (uint32_t l = k; l < forms->count; l++) {
+      const TbDiscWave *a = &o->deflections[k], *b = &o->deflections[l];
+      const size_t at = (size_t)k * forms->count + l;
+      forms->mass[at] = o->azimuth * value_product(o->points, o->points->areal, a, b);
+      forms->stiffness[at] =
+        o->azimuth * curvature_product(o->points, o->points->bending, part, a, b);
+    }
+  }
+  mirror(forms->count, forms->mass);
+}
+
+static void fill_stresses(const Order *o, TbPlateForms *forms) {
+  const double part = 1.0 + o->def->plate.poisson_ratio;
+  const uint32_t n = forms->stress_count;
+  for (uint32_t i = 0; i < n; i++) {
+    for (uint32_t j = i; j < n; j++) {
+      const TbDiscWave *a = &o->stresses[i], *b = &o->stresses[j];
+      const size_t at = (size_t)i * n + j;
+      forms->area[at] = o->azimuth * value_product(o->points, NULL, a, b);
+      forms->compliance[at] =
+        o->azimuth * curvature_product(o->points, o->points->compliance, part, a, b);
+    }
+  }
+  mirror(n, forms->area);
+  mirror(n, forms->compliance);
+  for (uint32_t k = 0; k < forms->count; k++) {
+    for (uint32_t j = 0; j < n; j++) {
+      forms->rise[(size_t)k * n + j] =
+        o->azimuth * rise_product(o->points, &o->stresses[j], &o->deflections[k]);
+    }
+  }
+}
+
+/* The upper triangle of K += E^T G^-1 E. */
+static TaborStatus add_membrane(TbArena *scratch, TbPlateForms *forms) {
+  const uint32_t count = forms->count, n = forms->stress_count;
+  double *gram = tb_arena_doubles(scratch, (size_t)n * n + 1u);
+  double *solved = tb_arena_doubles(scratch, (size_t)count * n + 1u);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t i = 0; i < count; i++) {
-    for (uint32_t j = i; j < count; j++) {
-      gram[(size_t)i * count + j] =
-        curvature_product(points, points->compliance, part, &stresses.of[i], &stresses.of[j]);
-    }
-  }
-  mirror(count, gram);
-  for (uint32_t k = 0; k < n; k++) {
-    for (uint32_t j = 0; j < count; j++) {
-      const size_t at = (size_t)k * count + j;
-      coupling[at] = solved[at] = rise_product(points, &stresses.of[j], &deflections->of[k]);
-    }
-  }
-  if (!tb_solve_positive(count, gram, n, solved)) return TABOR_ERROR_NUMERICS;
-  for (uint32_t k = 0; k < n; k++) {
-    for (uint32_t l = k; l < n; l++) {
-      double sum = 0.0;
-      for (uint32_t j = 0; j < count; j++) {
-        sum += coupling[(size_t)k * count + j] * solved[(size_t)l * count + j];
+  for (size_t i = 0; i < (size_t)n * n; i++) gram[i] = forms->compliance[i];
+  for (size_t i = 0; i < (size_t)count * n; i++) solved[i] = forms->rise[i];
+  if (!tb_solve_positive(n, gram, count, solved)) return TABOR_ERROR_NUMERICS;
+  for (uint32_t k = 0; k < count; k++) {
+    for (uint32_t l = k; l < count; l++) {
+      for (uint32_t j = 0; j < n; j++) {
+        forms->stiffness[(size_t)k * count + l] +=
+          forms->rise[(size_t)k * n + j] * solved[(size_t)l * n + j];
       }
-      stiffness[(size_t)k * n + l] += azimuth * sum;
     }
   }
   return TABOR_OK;
 }
 
+static bool take_room(TbArena *scratch, TbPlateForms *forms) {
+  const size_t count = forms->count, stresses = forms->stress_count;
+  forms->mass = tb_arena_doubles(scratch, count * count + 1u);
+  forms->stiffness = tb_arena_doubles(scratch, count * count + 1u);
+  forms->compliance = tb_arena_doubles(scratch, stresses * stresses + 1u);
+  forms->area = tb_arena_doubles(scratch, stresses * stresses + 1u);
+  forms->rise = tb_arena_doubles(scratch, count * stresses + 1u);
+  return !scratch->failed;
+}
+
 TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                           double top, const TbDiscMode *modes, uint32_t count, TbArena *scratch,
-                           double *mass, double *stiffness) {
-  const double azimuth = m ? PI : 2.0 * PI, part = 1.0 - def->plate.poisson_ratio;
-  Waves waves;
-  if (!find_waves(def, points, m, modes, count, scratch, &waves)) return TABOR_ERROR_MEMORY;
-  for (uint32_t k = 0; k < count; k++) {
-    for (uint32_t l = k; l < count; l++) {
-      const TbDiscWave *a = &waves.of[k], *b = &waves.of[l];
-      const size_t at = (size_t)k * count + l;
-      mass[at] = azimuth * value_product(points, points->areal, a, b);
-      stiffness[at] = azimuth * curvature_product(points, points->bending, part, a, b);
-    }
-  }
-  if (!tb_plate_is_flat(&def->plate)) {
-    const TaborStatus status =
-      add_membrane(def, points, m, top, &waves, scratch, azimuth, stiffness);
-    if (status != TABOR_OK) return status;
-  }
-  mirror(count, mass);
-  mirror(count, stiffness);
-  return TABOR_OK;
+                           double top, double stress_top, uint32_t room, TbArena *scratch,
+                           TbPlateForms *forms) {
+  forms->modes = tb_arena_take(scratch, room, sizeof *forms->modes);
+  forms->stresses = tb_arena_take(scratch, room, sizeof *forms->stresses);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  const double nu = def->plate.poisson_ratio;
+  forms->count = tb_disc_modes(TB_DISC_FREE, m, nu, top, forms->modes, room);
+  forms->stress_count = tb_disc_modes(TB_DISC_CLAMPED, m, nu, stress_top, forms->stresses, room);
+  const Order order = {.def = def,
+                       .points = points,
+                       .azimuth = m ? PI : 2.0 * PI,
+                       .deflections = tb_plate_waves(def, m, forms->modes, forms->count,
+                                                     points->count, points->r, scratch),
+                       .stresses = tb_plate_waves(def, m, forms->stresses, forms->stress_count,
+                                                  points->count, points->r, scratch)};
+  if (!take_room(scratch, forms)) return TABOR_ERROR_MEMORY;
+  fill_deflections(&order, forms);
+  fill_stresses(&order, forms);
+  const TaborStatus status =
+    tb_plate_is_flat(&def->plate) ? TABOR_OK : add_membrane(scratch, forms);
+  mirror(forms->count, forms->stiffness);
+  return status;
 }

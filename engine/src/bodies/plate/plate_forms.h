@@ -37,10 +37,24 @@ typedef struct TbPlatePoints {
 /* Places for modes up to lambda = `top`. Returns false if memory ran out. */
 bool tb_plate_points(const TaborDrumDef *def, double top, TbArena *arena, TbPlatePoints *points);
 
-/* M and K of `count` free modes of order m, row-major [count][count], and modes up to `top` for F.
- * Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
+/* Matrices of one order, row-major: of its deflections M and K, and of its functions of stress G,
+ * Int g_i g_j dA, and E. */
+typedef struct TbPlateForms {
+  uint32_t count, stress_count;
+  TbDiscMode *modes, *stresses; /* free ones, clamped ones */
+  double *mass, *stiffness;     /* [count][count] [kg, N/m] */
+  double *compliance, *area;    /* [stress_count][stress_count] */
+  double *rise;                 /* [count][stress_count] E */
+} TbPlateForms;
+
+/* Finds them for deflections up to lambda = `top` and functions of stress up to `stress_top`, at
+ * most `room` of either. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
 TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                           double top, const TbDiscMode *modes, uint32_t count, TbArena *scratch,
-                           double *mass, double *stiffness);
+                           double top, double stress_top, uint32_t room, TbArena *scratch,
+                           TbPlateForms *forms);
+
+/* Waves of several modes of order m at r[count]: one TbDiscWave each, or NULL if memory ran out. */
+TbDiscWave *tb_plate_waves(const TaborDrumDef *def, uint32_t m, const TbDiscMode *modes,
+                           uint32_t mode_count, uint32_t count, const double *r, TbArena *scratch);
 
 #endif

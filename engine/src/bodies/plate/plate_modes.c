@@ -8,6 +8,7 @@
 #include "bodies/plate/disc_modes.h"
 #include "bodies/plate/plate_forms.h"
 #include "bodies/plate/plate_profile.h"
+#include "bodies/plate/plate_stress.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
 
@@ -84,17 +85,18 @@ static double basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits limi
 typedef struct Shared {
   const TaborDrumDef *def;
   TbPlatePoints points;
-  double limit; /* [rad/s] */
-  double top;   /* lambda of the disc's modes that are used */
+  double limit;         /* [rad/s] */
+  double top;           /* lambda of the disc's modes that are used */
+  double coupled;       /* lambda of the modes that large deflections couple */
+  TbMembrane *membrane; /* of the body */
 } Shared;
 
 /* The flat disc's modes of one order, what a plate in vacuo is in them, and room for one in air. */
 typedef struct Work {
   const Shared *shared;
   const TbAirOrder *air;
-  uint32_t count;
-  TbDiscMode *modes;
-  double *mass, *stiffness; /* [count][count]; the stiffness without the mount's */
+  uint32_t count; /* of the disc's modes */
+  TbPlateForms forms;
   /* [1/(kg s2), 1/(kg s)]: of the momentum in the rigid motion. */
   double mount_stiffness, mount_loss;
   double *y; /* [count][air->count], with the edge's motion */
@@ -104,8 +106,8 @@ typedef struct Work {
 static void find_series(const Work *w, uint32_t k) {
   for (uint32_t i = 0; i < w->air->count; i++) {
     w->y[k * w->air->count + i] =
-      tb_disc_amplitude(&w->modes[k], w->air->zeros[i], w->air->slopes[i]) +
-      w->modes[k].edge * tb_body_lift(w->air, i);
+      tb_disc_amplitude(&w->forms.modes[k], w->air->zeros[i], w->air->slopes[i]) +
+      w->forms.modes[k].edge * tb_body_lift(w->air, i);
   }
 }
 
@@ -115,24 +117,22 @@ static void hold_middle(Work *w) {
   const TaborPlateDef *plate = &w->shared->def->plate;
   if (w->air->m >= 2 || w->count == 0) return;
   const double omega = 2.0 * PI * (w->air->m ? plate->tilt_frequency : plate->heave_frequency);
-  w->mount_stiffness = omega * omega / w->mass[0];
-  w->mount_loss = (2.0 * plate->mount_damping * omega - plate->damping_0) / w->mass[0];
+  w->mount_stiffness = omega * omega / w->forms.mass[0];
+  w->mount_loss = (2.0 * plate->mount_damping * omega - plate->damping_0) / w->forms.mass[0];
 }
 
 static TaborStatus prepare_work(Work *w, TbArena *scratch) {
   const Shared *shared = w->shared;
   const TaborDrumDef *def = shared->def;
   const uint32_t m = w->air->m, room = w->air->count + 2u;
-  w->modes = tb_arena_take(scratch, room, sizeof *w->modes);
-  if (!w->modes) return TABOR_ERROR_MEMORY;
-  w->count = tb_disc_modes(TB_DISC_FREE, m, def->plate.poisson_ratio, shared->top, w->modes, room);
-  w->mass = tb_arena_doubles(scratch, (size_t)w->count * w->count + 1u);
-  w->stiffness = tb_arena_doubles(scratch, (size_t)w->count * w->count + 1u);
-  w->y = tb_arena_doubles(scratch, (size_t)(w->count + 1u) * w->air->count);
-  if (scratch->failed) return TABOR_ERROR_MEMORY;
-  const TaborStatus status = tb_plate_forms(def, &shared->points, m, shared->top, w->modes,
-                                            w->count, scratch, w->mass, w->stiffness);
+  const double stressed =
+    tb_plate_is_flat(&def->plate) ? tb_plate_stress_top(shared->coupled) : shared->top;
+  const TaborStatus status =
+    tb_plate_forms(def, &shared->points, m, shared->top, stressed, room, scratch, &w->forms);
   if (status != TABOR_OK) return status;
+  w->count = w->forms.count;
+  w->y = tb_arena_doubles(scratch, (size_t)(w->count + 1u) * w->air->count);
+  if (!w->y) return TABOR_ERROR_MEMORY;
   hold_middle(w);
   for (uint32_t k = 0; k < w->count; k++) find_series(w, k);
   const bool found =
@@ -169,12 +169,12 @@ static TaborStatus solve(const Work *w, TbArena *scratch, double *squares, doubl
   double *stiffness = tb_arena_doubles(scratch, (size_t)n * n);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
   for (size_t i = 0; i < (size_t)n * n; i++) {
-    mass[i] = w->mass[i];
-    stiffness[i] = w->stiffness[i];
+    mass[i] = w->forms.mass[i];
+    stiffness[i] = w->forms.stiffness[i];
   }
   for (uint32_t k = 0; k < n; k++) {
     for (uint32_t l = 0; l < n; l++) {
-      stiffness[k * n + l] += w->mount_stiffness * w->mass[k] * w->mass[l];
+      stiffness[k * n + l] += w->mount_stiffness * w->forms.mass[k] * w->forms.mass[l];
     }
   }
   if (w->shared->def->air.density > 0.0 && !add_air(w, scratch, mass)) return TABOR_ERROR_MEMORY;
@@ -194,9 +194,9 @@ static double form(uint32_t n, const double *matrix, const double *u) {
  * which depends on the frequency. */
 static TbOwnParts own_parts(const Work *w, double stiffness, const double *u) {
   double rigid = 0.0;
-  for (uint32_t k = 0; k < w->count; k++) rigid += w->mass[k] * u[k];
+  for (uint32_t k = 0; k < w->count; k++) rigid += w->forms.mass[k] * u[k];
   rigid *= rigid;
-  const double mass = form(w->count, w->mass, u);
+  const double mass = form(w->count, w->forms.mass, u);
   return (TbOwnParts){.mass = mass,
                       .stiffness = stiffness + rigid * w->mount_stiffness,
                       .loss = w->shared->def->plate.damping_0 * mass + rigid * w->mount_loss};
@@ -207,7 +207,7 @@ static uint32_t strongest(const Work *w, const double *u) {
   uint32_t most = 0;
   double weight = 0.0;
   for (uint32_t k = 0; k < w->count; k++) {
-    const double own = u[k] * u[k] * w->mass[(size_t)k * w->count + k];
+    const double own = u[k] * u[k] * w->forms.mass[(size_t)k * w->count + k];
     if (own > weight) most = k;
     weight = fmax(weight, own);
   }
@@ -217,7 +217,7 @@ static uint32_t strongest(const Work *w, const double *u) {
 /* The Bessel amplitudes of a mode without its edge's motion, and that. */
 static double keep_vector(const Work *w, const double *u, double *kept) {
   double edge = 0.0;
-  for (uint32_t k = 0; k < w->count; k++) edge += u[k] * w->modes[k].edge;
+  for (uint32_t k = 0; k < w->count; k++) edge += u[k] * w->forms.modes[k].edge;
   for (uint32_t i = 0; i < w->air->count; i++) {
     kept[i] = -edge * tb_body_lift(w->air, i);
     for (uint32_t k = 0; k < w->count; k++) kept[i] += u[k] * w->y[k * w->air->count + i];
@@ -232,7 +232,7 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   if (!y) return false;
   *edge = keep_vector(w, u, kept);
   for (uint32_t i = 0; i < w->air->count; i++) y[i] = kept[i] + *edge * tb_body_lift(w->air, i);
-  const double stiffness = form(w->count, w->stiffness, u);
+  const double stiffness = form(w->count, w->forms.stiffness, u);
   const TbOwnParts own = own_parts(w, stiffness, u);
   TbAirParts load;
   mode->omega = sqrt(square);
@@ -240,6 +240,7 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   const double total = own.mass + load.mass, unit = 1.0 / sqrt(total);
   for (uint32_t i = 0; i < w->air->count; i++) kept[i] *= unit;
   for (uint32_t i = 0; i < 2 * TABOR_MAX_MICS; i++) mode->fields[i] *= unit;
+  for (uint32_t k = 0; k < w->count; k++) u[k] *= unit;
   *edge *= unit;
   if (!def->quality.losses) return true;
   const double loss = own.loss + tb_felt_ring_loss(w->ring, w->air->count, y) +
@@ -271,6 +272,13 @@ static TaborStatus finish_modes(const Work *w, TbArena *arena, const double *squ
   return TABOR_OK;
 }
 
+/* The first modes of an order, which large deflections couple. */
+static uint32_t coupled_modes(const Work *w, const TbBodyMode *modes, uint32_t count) {
+  uint32_t coupled = 0;
+  while (coupled < count && modes[coupled].omega < w->shared->membrane->top) coupled++;
+  return coupled;
+}
+
 static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scratch,
                                const TbAirOrder *air, TbBodyOrder *order, TbBodyMode *modes,
                                uint32_t room) {
@@ -283,8 +291,11 @@ static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scr
   order->edge = tb_arena_doubles(arena, w.count);
   if (arena->failed || scratch->failed) return TABOR_ERROR_MEMORY;
   status = solve(&w, scratch, squares, vectors);
-  if (status != TABOR_OK) return status;
-  return finish_modes(&w, arena, squares, vectors, order, modes, room);
+  if (status == TABOR_OK) status = finish_modes(&w, arena, squares, vectors, order, modes, room);
+  if (status != TABOR_OK || air->m >= w.shared->membrane->order_count) return status;
+  return tb_plate_stress_order(w.shared->def, w.shared->coupled, air->m, &w.forms,
+                               coupled_modes(&w, modes, order->mode_count), vectors, arena, scratch,
+                               w.shared->membrane);
 }
 
 static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def, double bandwidth,
@@ -295,14 +306,24 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
   const double basis_top = basis(def, bandwidth, limits, &body->bandwidth);
   Shared shared = {.def = def,
                    .limit = 2.0 * PI * body->bandwidth,
-                   .top = MARGIN * highest_lambda(def, bandwidth, limits)};
+                   .top = MARGIN * highest_lambda(def, bandwidth, limits),
+                   .coupled = def->plate.large_deflections ? limits.coupled : 0.0,
+                   .membrane = &body->membrane};
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
-  const TaborStatus status =
-    tb_plate_points(def, shared.top, &scratch, &shared.points)
-      ? tb_body_build_orders(body, arena, basis_top, (uint32_t)shared.top + 3u, build_order,
-                             &shared)
-      : TABOR_ERROR_MEMORY;
+  TaborStatus status = TABOR_OK;
+  if (shared.coupled > 0.0) {
+    body->membrane.top =
+      shared.coupled * shared.coupled / square_per_omega(def, mean_thickness(&def->plate));
+    const uint32_t orders = (uint32_t)shared.coupled + 1u;
+    if (!tb_plate_stress_begin(def, shared.coupled, orders, arena, &body->membrane))
+      status = TABOR_ERROR_MEMORY;
+  }
+  if (!tb_plate_points(def, shared.top, &scratch, &shared.points)) status = TABOR_ERROR_MEMORY;
+  if (status == TABOR_OK) {
+    status =
+      tb_body_build_orders(body, arena, basis_top, (uint32_t)shared.top + 3u, build_order, &shared);
+  }
   tb_arena_release(&scratch);
   return status;
 }

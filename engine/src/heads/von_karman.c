@@ -1,0 +1,190 @@
+/* SPDX-License-Identifier: MIT */
+#include "heads/von_karman.h"
+
+#include <math.h>
+
+#include "heads/stretch_law.h"
+#include "strikers/stick.h"
+#include "strikers/striker_pool.h"
+
+static const uint64_t LOOK = 256;        /* steps from one look at the energy to the next */
+static const double FADE = 0.02;         /* [s] */
+static const double LEAST_SHIFT = 1e-3;  /* of the quiet energy */
+static const double LEAST_SQUARE = 0.02; /* of C: of 2 V + C */
+static const double MOST_RELAXED = 0.2;  /* of the modes' energy */
+
+/* ---- the potential --------------------------------------------------------------------------- */
+
+static float *displacements(const TbView *view) {
+  return view->stretch.scratch + tb_von_karman_scratch(&view->model->plate.tables);
+}
+
+static float *gradient_of(const TbView *view) {
+  return displacements(view) + tb_pad(2u * view->model->plate.tables.pairs);
+}
+
+/* V at q, and its gradient in gradient_of(). */
+static double potential(const TbView *view, const double *q) {
+  const TbPlateCoupling *plate = &view->model->plate;
+  float *x = displacements(view);
+  for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
+    x[i] = plate->mode[i] == TB_NO_MODE ? 0.0f : (float)q[plate->mode[i]];
+  }
+  return view->model->kernelsf->von_karman(&plate->tables, x, gradient_of(view),
+                                           view->stretch.scratch);
+}
+
+/* ---- energy ---------------------------------------------------------------------------------- */
+
+static double energy(const TbView *view, const TbPhase *next, const TbPhase *now) {
+  (void)now;
+  const double psi = *next->psi;
+  return 0.5 * (psi * psi - view->state->plate.shift);
+}
+
+static double modes_energy(const TbView *view) {
+  const TaborModel *model = view->model;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < 2u * model->plate.tables.pairs; i++) {
+    const uint32_t mode = model->plate.mode[i];
+    if (mode == TB_NO_MODE) continue;
+    sum += tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
+                          view->last.q[mode]);
+  }
+  return 0.5 * sum;
+}
+
+static double sticks_energy(const TbView *view) {
+  double sum = 0.0;
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (tb_slot_strikes(tb_slot(view, i)))
+      sum += tb_stick_motion(view, i, view->now.z, view->last.z);
+  }
+  return 0.5 * sum;
+}
+
+/* psi^2 - C stays. */
+static void set_shift(TbView *view, double shift) {
+  TbPlateState *plate = &view->state->plate;
+  const double more = *view->now.psi * *view->now.psi - plate->shift;
+  plate->shift = fmax(shift, -2.0 * more);
+  *view->now.psi = sqrt(more + plate->shift);
+}
+
+static void raise_shift(TbView *view, bool looks) {
+  const TbPlateState *plate = &view->state->plate;
+  const double least = LEAST_SHIFT * view->model->plate.quiet;
+  const double shift = 2.0 * (plate->energy + sticks_energy(view)) + least;
+  if (looks || shift > plate->shift) set_shift(view, shift);
+}
+
+/* ---- whether it acts ------------------------------------------------------------------------- */
+
+/* What is left of the coupling's energy goes with it. */
+static void switch_off(TbView *view) {
+  TbPlateState *plate = &view->state->plate;
+  view->state->ledger.sums.control -= energy(view, &view->now, &view->last);
+  plate->shift = *view->now.psi = 0.0;
+}
+
+/* The part of the coupling that acts follows what is wanted: at once where a stick finds the plate
+ * quiet. */
+static void fade(TbView *view, bool driven, bool loud) {
+  TbPlateState *plate = &view->state->plate;
+  const double step = 1.0 / (FADE * view->model->step_rate);
+  if (driven && !loud && plate->part == 0.0) plate->part = 1.0;
+  const double wanted = driven || loud ? 1.0 : 0.0, before = plate->part;
+  plate->part += fmin(step, fmax(-step, wanted - plate->part));
+  if (before > 0.0 && plate->part == 0.0) switch_off(view);
+}
+
+/* ---- the law --------------------------------------------------------------------------------- */
+
+static void fill_gradient(TbView *view) {
+  const TbPlateCoupling *model = &view->model->plate;
+  const TbPlateState *plate = &view->state->plate;
+  const double square = 2.0 * plate->part * potential(view, view->now.q) + plate->shift;
+  const double root = sqrt(fmax(square, LEAST_SQUARE * plate->shift));
+  const double scale = model->every * plate->part / root;
+  const float *gradient = gradient_of(view);
+  for (uint32_t i = 0; i < 2u * model->tables.pairs; i++) {
+    if (model->mode[i] == TB_NO_MODE) continue;
+    view->stretch.mixed[0][model->mode[i]] = scale * (double)gradient[i];
+  }
+}
+
+static uint32_t begin(TbView *view) {
+  TbPlateState *plate = &view->state->plate;
+  const bool looks = view->state->clock % LOOK == 0, driven = tb_stretch_is_driven(view);
+  if (looks) plate->energy = modes_energy(view);
+  fade(view, driven, plate->energy > view->model->plate.quiet);
+  if (plate->part == 0.0) return 0;
+  raise_shift(view, looks);
+  if (view->state->clock % view->model->plate.every > 0) return 0;
+  fill_gradient(view);
+  return 1;
+}
+
+/* 4 psi- - 2 g.q- */
+static double shift(const TbView *view) {
+  const TbPlateCoupling *plate = &view->model->plate;
+  double sum = 0.0;
+  for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
+    const uint32_t mode = plate->mode[i];
+    if (mode != TB_NO_MODE) sum += view->stretch.mixed[0][mode] * view->last.q[mode];
+  }
+  return 4.0 * *view->now.psi - 2.0 * sum;
+}
+
+static void end(TbView *view) {
+  const double psi = *view->now.psi;
+  *view->next.psi = view->stretch.count > 0 ? -2.0 * view->end.stretch[0] - psi : psi;
+}
+
+const TbStretchLaw tb_von_karman = {.begin = begin, .shift = shift, .end = end, .energy = energy};
+
+/* ---- setting psi right ----------------------------------------------------------------------- */
+
+/* A contact's energy would change with the modes. */
+static bool something_touches(const TbView *view) {
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (tb_slot_strikes(tb_slot(view, i)) && tb_pool_touches(view, i)) return true;
+  }
+  return false;
+}
+
+/* What slots in play feel of the modes, added to their penetrations with this sign. */
+static void add_displacements(TbView *view, double sign) {
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (!tb_slot_in_play(tb_slot(view, i))) continue;
+    const uint32_t row = tb_slot_row(&view->model->rows, i);
+    view->now.eta[row] += sign * tb_pool_displacement(view, i, view->now.q);
+    view->last.eta[row] += sign * tb_pool_displacement(view, i, view->last.q);
+  }
+}
+
+static void scale_modes(TbView *view, double factor) {
+  const TbPlateCoupling *plate = &view->model->plate;
+  add_displacements(view, -1.0);
+  for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
+    const uint32_t mode = plate->mode[i];
+    if (mode == TB_NO_MODE) continue;
+    view->now.q[mode] *= factor;
+    view->last.q[mode] *= factor;
+  }
+  add_displacements(view, 1.0);
+}
+
+bool tb_von_karman_relax(TbView *view) {
+  const TbPlateState *plate = &view->state->plate;
+  if (view->model->plate.tables.pairs == 0 || plate->part == 0.0) return false;
+  if (view->state->clock % LOOK != 0 || something_touches(view)) return false;
+  const double square = *view->now.psi * *view->now.psi;
+  const double right = 2.0 * plate->part * potential(view, view->now.q) + plate->shift;
+  const double modes = modes_energy(view), most = MOST_RELAXED * modes;
+  const double over = fmin(most, fmax(-most, 0.5 * (square - right)));
+  if (!(modes > 0.0) || !(square - 2.0 * over > 0.0)) return false;
+  scale_modes(view, sqrt(1.0 + over / modes));
+  *view->now.psi = sqrt(square - 2.0 * over);
+  return true;
+}

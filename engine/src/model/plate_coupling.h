@@ -1,0 +1,21 @@
+/* SPDX-License-Identifier: MIT */
+/* What couples a plate's modes by large deflections, for the step: see bodies/membrane.h and
+ * heads/von_karman.h. Set-up only. */
+#ifndef TB_PLATE_COUPLING_H
+#define TB_PLATE_COUPLING_H
+
+#include "kernels/kernels.h"
+#include "math/arithmetic.h"
+#include "tabor/tabor.h"
+
+typedef struct TbPlateCoupling {
+  TbVonKarman tables; /* without pairs: nothing is coupled */
+  uint32_t *mode;     /* [pairs][2]: among TbModes, or TB_NO_MODE */
+  uint32_t every;     /* it acts in every so many steps */
+  double quiet;       /* modes that hold less are not coupled [J] */
+} TbPlateCoupling;
+
+/* Fills model->plate and, for a plate that bends far, model->stretch. */
+TaborStatus tb_plate_coupling_prepare(TaborModel *model);
+
+#endif

@@ -182,7 +182,8 @@ static void shapes_have_unit_modal_mass(void **state) {
   tb_arena_prepare(&arena, &system);
   TbBody head;
   assert_int_equal(
-    tb_body_drum.prepare(&head, &arena, &def, 2000.0, (TbBodyLimits){4096, 91.0, 0.0}), TABOR_OK);
+    tb_body_drum.prepare(&head, &arena, &def, 2000.0, (TbBodyLimits){4096, 91.0, 0.0, 0.0}),
+    TABOR_OK);
   enum { STEPS = 4000, MOST = 12 };
   double mass[MOST][MOST] = {{0.0}}, *radial = tb_arena_doubles(&arena, head.row_count);
   for (int i = 0; i < STEPS; i++) {
@@ -230,7 +231,8 @@ static void shapes_from_a_table_are_the_same(void **state) {
   TbBody head;
   TbBesselTable table;
   assert_int_equal(
-    tb_body_drum.prepare(&head, &arena, &def, 3000.0, (TbBodyLimits){4096, 91.0, 0.0}), TABOR_OK);
+    tb_body_drum.prepare(&head, &arena, &def, 3000.0, (TbBodyLimits){4096, 91.0, 0.0, 0.0}),
+    TABOR_OK);
   assert_true(tb_bessel_table_prepare(&table, &arena, head.order_count, 60.0));
   double *patch = tb_arena_doubles(&arena, head.zero_count);
   double *exact = tb_arena_doubles(&arena, head.row_count);

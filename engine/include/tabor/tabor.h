@@ -210,7 +210,9 @@ typedef struct TaborPlateDef {
   double bell_height;   /**< over the bow [m], 0 to 0.05, default 0: no bell */
   double flange_width;  /**< [m], 0.005 to 0.6 and at most R, default 0.04 */
   double flange_slope;  /**< at the edge, 0 to 1, default 0: no flange */
-  uint32_t large_deflections; /**< 1, the default: stress in its middle surface couples modes */
+  double splitting;     /**< part by which modes of a pair differ, 0 to 0.05, default 0: none */
+  double large_deflections; /**< part of the coupling of modes by stress in the middle surface, 0
+                               to 1, default 1 as physics has it */
 } TaborPlateDef;
 
 /** The shell, which holds the heads. */

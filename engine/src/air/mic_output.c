@@ -171,6 +171,22 @@ static double hear(TbEar *ear, TbPair sums) {
   return pressure;
 }
 
+/* A plate's large deflections act in every n-th step, n times as strongly. What such a kick alone
+ * adds to the pressure is heard in n steps, or its images would stand beside every partial. */
+static double spread_kick(TbView *view, uint32_t mic, double pressure) {
+  const TaborModel *model = view->model;
+  double *kick = &view->state->mics.kick[mic];
+  if (model->plate.every < 2 || mic == view->mics.tap) return pressure;
+  if (view->state->plate.part == 0.0) *kick = 0.0;
+  if (view->stretch.count == 0) return pressure + *kick;
+  const double *const pull[TB_COUPLINGS] = {view->stretch.pull[0], view->stretch.pull[0]};
+  const TbPair along =
+    model->kernels->stretch_dots(&model->stretch.parts, pull, model->mics[mic].ahead);
+  const double whole = view->end.stretch[0] * along.first;
+  *kick = whole / model->plate.every;
+  return pressure - whole + *kick;
+}
+
 static double equalized(TbView *view, uint32_t mic, double pressure) {
   double *memory = view->state->mics.treble[mic];
   return wires_lie(view) ? tb_force_equalizer(memory, pressure)
@@ -200,6 +216,7 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
     double p = 0.0;
     if (heard >> mic & 1u) {
       p = hear(&state->mics.ears[mic], heard_at_end(view, mic, mic == first ? &high : NULL));
+      p = spread_kick(view, mic, p);
       if (mic == view->mics.tap) view->mics.tapped = p;
     }
     pressure[mic] = delayed(view, mic, equalized(view, mic, p)) * live[TB_LIVE_GAIN + mic].now /

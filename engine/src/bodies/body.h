@@ -40,6 +40,7 @@ typedef struct TbBodyMode {
   uint32_t part;     /* a TaborModePart: the moving part */
   int32_t phase;     /* +1: both surfaces move the same way, -1: against each other, 0: neither */
   double omega;      /* undamped [rad/s] */
+  double split;      /* by which part its copies lie apart: see tb_body_omega() */
   double decay_rate; /* of the amplitude [1/s]; includes the next two */
   double radiation_rate, shell_rate; /* to the air outside; at the walls of a cavity and in a rim */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
@@ -123,6 +124,11 @@ double tb_body_wave_zero(const TaborHeadDef *sheet, const TaborAirDef *air, doub
 /* c_i: the Bessel amplitudes of an edge that moves by 1, (r/R)^m = Sum_i c_i J_m(z_i r/R). */
 static inline double tb_body_lift(const TbAirOrder *air, uint32_t i) {
   return 2.0 / (air->zeros[i] * air->slopes[i]);
+}
+
+/* omega of one copy: an uneven body has two in place of each pair. */
+static inline double tb_body_omega(const TbBodyMode *mode, bool sine) {
+  return mode->omega * (1.0 + (sine ? 0.5 : -0.5) * mode->split);
 }
 
 /* ---- what a model asks of a body ------------------------------------------------------------- */

@@ -4,14 +4,14 @@
 #include <math.h>
 
 #include "heads/stretch_law.h"
-#include "strikers/stick.h"
-#include "strikers/striker_pool.h"
 
-static const uint64_t LOOK = 256;        /* steps from one look at the energy to the next */
-static const double FADE = 0.02;         /* [s] */
-static const double LEAST_SHIFT = 1e-3;  /* of the quiet energy */
-static const double LEAST_SQUARE = 0.02; /* of C: of 2 V + C */
-static const double MOST_RELAXED = 0.2;  /* of the modes' energy */
+static const uint64_t LOOK = 256;       /* steps from one look at the energy to the next */
+static const double FADE = 0.02;        /* [s] */
+static const double LEAST_SHIFT = 1e-3; /* of the quiet energy */
+static const double MOST_RELAXED = 0.2; /* of the modes' energy */
+
+/* x, but not beyond -most and most. */
+static double within(double x, double most) { return x > most ? most : (x < -most ? -most : x); }
 
 /* ---- the potential --------------------------------------------------------------------------- */
 
@@ -23,7 +23,7 @@ static float *gradient_of(const TbView *view) {
   return displacements(view) + tb_pad(2u * view->model->plate.tables.pairs);
 }
 
-/* V at q, and its gradient in gradient_of(). */
+/* V at q, and its gradient in gradient_of(), but for the part that acts. */
 static double potential(const TbView *view, const double *q) {
   const TbPlateCoupling *plate = &view->model->plate;
   float *x = displacements(view);
@@ -32,6 +32,11 @@ static double potential(const TbView *view, const double *q) {
   }
   return view->model->kernelsf->von_karman(&plate->tables, x, gradient_of(view),
                                            view->stretch.scratch);
+}
+
+/* The part of V that acts. */
+static double coupled_energy(const TbView *view, const double *q) {
+  return view->state->plate.part * view->model->def.plate.large_deflections * potential(view, q);
 }
 
 /* ---- energy ---------------------------------------------------------------------------------- */
@@ -55,10 +60,12 @@ static double modes_energy(const TbView *view) {
 }
 
 static double sticks_energy(const TbView *view) {
+  const double rate = view->model->step_rate;
   double sum = 0.0;
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    const double velocity = (view->now.z[i] - view->last.z[i]) * rate;
     if (tb_slot_strikes(tb_slot(view, i)))
-      sum += tb_stick_motion(view, i, view->now.z, view->last.z);
+      sum += tb_slot(view, i)->striker.mass * velocity * velocity;
   }
   return 0.5 * sum;
 }
@@ -67,7 +74,7 @@ static double sticks_energy(const TbView *view) {
 static void set_shift(TbView *view, double shift) {
   TbPlateState *plate = &view->state->plate;
   const double more = *view->now.psi * *view->now.psi - plate->shift;
-  plate->shift = fmax(shift, -2.0 * more);
+  plate->shift = shift > -2.0 * more ? shift : -2.0 * more;
   *view->now.psi = sqrt(more + plate->shift);
 }
 
@@ -80,7 +87,7 @@ static void raise_shift(TbView *view, bool looks) {
 
 /* ---- whether it acts ------------------------------------------------------------------------- */
 
-/* What is left of the coupling's energy goes with it. */
+/* The rest of the coupling's energy goes with it. */
 static void switch_off(TbView *view) {
   TbPlateState *plate = &view->state->plate;
   view->state->ledger.sums.control -= energy(view, &view->now, &view->last);
@@ -94,7 +101,7 @@ static void fade(TbView *view, bool driven, bool loud) {
   const double step = 1.0 / (FADE * view->model->step_rate);
   if (driven && !loud && plate->part == 0.0) plate->part = 1.0;
   const double wanted = driven || loud ? 1.0 : 0.0, before = plate->part;
-  plate->part += fmin(step, fmax(-step, wanted - plate->part));
+  plate->part += within(wanted - plate->part, step);
   if (before > 0.0 && plate->part == 0.0) switch_off(view);
 }
 
@@ -103,9 +110,11 @@ static void fade(TbView *view, bool driven, bool loud) {
 static void fill_gradient(TbView *view) {
   const TbPlateCoupling *model = &view->model->plate;
   const TbPlateState *plate = &view->state->plate;
-  const double square = 2.0 * plate->part * potential(view, view->now.q) + plate->shift;
-  const double root = sqrt(fmax(square, LEAST_SQUARE * plate->shift));
-  const double scale = model->every * plate->part / root;
+  const double twice = 2.0 * coupled_energy(view, view->now.q);
+  if (plate->shift < -2.0 * twice) set_shift(view, -2.0 * twice);
+  const double root = sqrt(twice + plate->shift);
+  const double part = plate->part * view->model->def.plate.large_deflections;
+  const double scale = model->every * part / root;
   const float *gradient = gradient_of(view);
   for (uint32_t i = 0; i < 2u * model->tables.pairs; i++) {
     if (model->mode[i] == TB_NO_MODE) continue;
@@ -145,46 +154,24 @@ const TbStretchLaw tb_von_karman = {.begin = begin, .shift = shift, .end = end, 
 
 /* ---- setting psi right ----------------------------------------------------------------------- */
 
-/* A contact's energy would change with the modes. */
-static bool something_touches(const TbView *view) {
-  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (tb_slot_strikes(tb_slot(view, i)) && tb_pool_touches(view, i)) return true;
-  }
-  return false;
+double tb_von_karman_excess(const TbView *view) {
+  const TbPlateState *plate = &view->state->plate;
+  if (view->model->plate.tables.pairs == 0 || plate->part == 0.0) return 0.0;
+  if (view->state->clock % LOOK != 0) return 0.0;
+  const double right = coupled_energy(view, view->now.q), most = MOST_RELAXED * modes_energy(view);
+  return within(energy(view, &view->now, &view->last) - right, most);
 }
 
-/* What slots in play feel of the modes, added to their penetrations with this sign. */
-static void add_displacements(TbView *view, double sign) {
-  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (!tb_slot_in_play(tb_slot(view, i))) continue;
-    const uint32_t row = tb_slot_row(&view->model->rows, i);
-    view->now.eta[row] += sign * tb_pool_displacement(view, i, view->now.q);
-    view->last.eta[row] += sign * tb_pool_displacement(view, i, view->last.q);
-  }
-}
-
-static void scale_modes(TbView *view, double factor) {
+void tb_von_karman_return(TbView *view, double excess) {
   const TbPlateCoupling *plate = &view->model->plate;
-  add_displacements(view, -1.0);
+  const double factor = sqrt(1.0 + excess / modes_energy(view));
+  const double psi = *view->now.psi, square = psi * psi - 2.0 * excess;
+  if (!(square > 0.0)) return;
   for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
     const uint32_t mode = plate->mode[i];
     if (mode == TB_NO_MODE) continue;
     view->now.q[mode] *= factor;
     view->last.q[mode] *= factor;
   }
-  add_displacements(view, 1.0);
-}
-
-bool tb_von_karman_relax(TbView *view) {
-  const TbPlateState *plate = &view->state->plate;
-  if (view->model->plate.tables.pairs == 0 || plate->part == 0.0) return false;
-  if (view->state->clock % LOOK != 0 || something_touches(view)) return false;
-  const double square = *view->now.psi * *view->now.psi;
-  const double right = 2.0 * plate->part * potential(view, view->now.q) + plate->shift;
-  const double modes = modes_energy(view), most = MOST_RELAXED * modes;
-  const double over = fmin(most, fmax(-most, 0.5 * (square - right)));
-  if (!(modes > 0.0) || !(square - 2.0 * over > 0.0)) return false;
-  scale_modes(view, sqrt(1.0 + over / modes));
-  *view->now.psi = sqrt(square - 2.0 * over);
-  return true;
+  *view->now.psi = sqrt(square);
 }

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What couples a plate's modes (bodies/membrane.h), on a grid of `points` times `angles`: the
+/* The coupling of a plate's modes (bodies/membrane.h) on a grid of `points` times `angles`: the
  * tables that the kernel of that name works with. */
 #ifndef TB_VON_KARMAN_H
 #define TB_VON_KARMAN_H

@@ -82,16 +82,17 @@ typedef struct Weights {
   double ahead, behind, push_now, push_before;
 } Weights;
 
-static TbPole pole_of(const TaborModel *model, const TbBodyMode *mode) {
-  return tb_pole(mode->omega, mode->decay_rate, model->time_step);
+static TbPole pole_of(const TaborModel *model, const TbBodyMode *mode, bool sine) {
+  return tb_pole(tb_body_omega(mode, sine), mode->decay_rate, model->time_step);
 }
 
 static Weights weights_of(const TaborModel *model, uint32_t index, const TbBodyMode *mode,
                           const TbPole *pole, bool sine) {
   Weights w;
-  tb_mic_weights(model, index, mode->omega, pole, mode->m, sine, mode->fields + 2 * index, &w.ahead,
+  const double omega = tb_body_omega(mode, sine);
+  tb_mic_weights(model, index, omega, pole, mode->m, sine, mode->fields + 2 * index, &w.ahead,
                  &w.behind);
-  push_weights(model, &model->def.mic[index], mode->omega, w.ahead, w.behind, &w.push_now,
+  push_weights(model, &model->def.mic[index], omega, w.ahead, w.behind, &w.push_now,
                &w.push_before);
   return w;
 }
@@ -100,7 +101,7 @@ static Weights weights_of(const TaborModel *model, uint32_t index, const TbBodyM
 static void mode_weights(TaborModel *model, uint32_t i) {
   if (model->modes.row[i] == TB_NO_MODE) return;
   const TbBodyMode *mode = &model->body.modes[model->modes.row[i]];
-  const TbPole pole = pole_of(model, mode);
+  const TbPole pole = pole_of(model, mode, model->modes.sine[i] != 0);
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     const Weights w = weights_of(model, index, mode, &pole, model->modes.sine[i]);
     TbMic *mic = &model->mics[index];
@@ -120,7 +121,7 @@ static const double LEAST_WEIGHT = 1e-3; /* of the largest: -60 dB */
 static void find_pushes(const TaborModel *model, uint32_t row, double *const push[TABOR_MAX_MICS]) {
   const TbBodyMode *mode = &model->body.modes[row];
   if (mode->omega >= 2.0 * PI * LOW) return;
-  const TbPole pole = pole_of(model, mode);
+  const TbPole pole = pole_of(model, mode, false); /* its sine copy is nearly the same */
   for (uint32_t index = 0; index < model->def.mic_count; index++) {
     for (uint32_t sine = 0; sine < (mode->m ? 2u : 1u); sine++) {
       const Weights w = weights_of(model, index, mode, &pole, sine);

@@ -339,6 +339,16 @@ static void begin_stage(TbWatch *watch, double seconds) {
   watch->part = 0.0;
 }
 
+/* The axis of an uneven plate's pairs, from its own stroke: a stroke moves both copies of each, as
+ * it does on a plate whose pairs have axes of their own [deg]. */
+static const double OFF_STROKE = 40.0;
+
+static double axis_of(const TaborDrumDef *def) {
+  if (def->wires.count > 0) return def->wires.angle;
+  const bool uneven = def->body.kind == TABOR_BODY_PLATE && def->plate.splitting > 0.0;
+  return def->strike.angle + (uneven ? OFF_STROKE : 0.0);
+}
+
 static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *level,
                          const TbBuildCost *cost, TaborError *error) {
   TbWatch *watch = model->arena.watch;
@@ -358,7 +368,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   }
   if (tb_body_kind(&model->def)->all_two_way) model->top = model->body.bandwidth; /* no high band */
   relax_large(model, level);
-  model->axis = model->def.wires.count > 0 ? model->def.wires.angle : model->def.strike.angle;
+  model->axis = axis_of(&model->def);
   status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
                             level->wire_cells, error);
   if (status != TABOR_OK) return status;

@@ -268,7 +268,7 @@ static bool mode_coefficients(TbModes *modes, TbArena *arena, const TbBody *body
   for (uint32_t i = 0; i < modes->padded; i++) {
     if (modes->row[i] == TB_NO_MODE) continue;
     const TbBodyMode *mode = &body->modes[modes->row[i]];
-    const TbPole pole = tb_pole(mode->omega, mode->decay_rate, k);
+    const TbPole pole = tb_pole(tb_body_omega(mode, modes->sine[i]), mode->decay_rate, k);
     const double each = mode->decay_rate > 0.0 ? pole.loss / mode->decay_rate : 0.0;
     modes->a[i] = pole.a;
     modes->b[i] = pole.b;

@@ -8,8 +8,8 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* It acts at least so often [Hz]: its images then lie beyond what is heard. */
-static const double LEAST_RATE = 22000.0;
+/* It acts at least so often [Hz]: its images then lie beyond what is heard. By quality. */
+static const double LEAST_RATE[] = {0.0, 22000.0, 22000.0, 44000.0, 44000.0};
 /* Part of D (h/R)^2, the scale of energy at which a plate of thickness h bends by h. */
 static const double QUIET = 1e-3;
 
@@ -107,7 +107,7 @@ static void fill_order(const TaborModel *model, const TbVonKarman *tables, uint3
   }
 }
 
-/* Where the copies of each pair stand among the modes. */
+/* The places of each pair's copies among the modes. */
 static void find_modes(TaborModel *model, TbPlateCoupling *plate) {
   const TbModes *modes = &model->modes;
   uint32_t pair = 0;
@@ -165,7 +165,7 @@ TaborStatus tb_plate_coupling_prepare(TaborModel *model) {
   const TaborHeadDef *sheet = &model->body.sheet[0];
   const double thickness = sheet->surface_density / model->def.plate.density;
   const double slenderness = thickness / model->body.radius;
-  while ((plate->every + 1u) * LEAST_RATE < model->step_rate) plate->every++;
+  while ((plate->every + 1u) * LEAST_RATE[model->quality] <= model->step_rate) plate->every++;
   plate->quiet = QUIET * sheet->bending_stiffness * slenderness * slenderness;
   plate->tables = (TbVonKarman){.points = membrane->points,
                                 .orders = orders_with(model, false),

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What couples a plate's modes by large deflections, for the step: see bodies/membrane.h and
+/* The coupling of a plate's modes by large deflections, for the step: see bodies/membrane.h and
  * heads/von_karman.h. Set-up only. */
 #ifndef TB_PLATE_COUPLING_H
 #define TB_PLATE_COUPLING_H

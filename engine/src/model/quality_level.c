@@ -33,8 +33,8 @@ uint32_t tb_level_steps(uint32_t quality, double sample_rate) {
   return quality >= TABOR_QUALITY_STUDIO && sample_rate < ENOUGH_STEPS ? 2 : 1;
 }
 
-/* Wavenumber times radius up to which large deflections couple a plate's modes: of a crash cymbal of
- * 16 inch 1.6, 2.6, 4 and 8 kHz, some 120, 190, 300 and 600 modes. By quality. */
+/* Wavenumber times radius up to which large deflections couple a plate's modes: of a crash cymbal
+ * of 16 inch 1.6, 2.6, 4 and 8 kHz, some 120, 190, 300 and 600 modes. By quality. */
 static const double COUPLED[] = {0.0, 20.0, 26.0, 33.0, 46.0};
 
 TbBodyLimits tb_level_limits(uint32_t quality, uint32_t points, double rate) {

@@ -18,6 +18,7 @@ typedef struct TbMicState {
   TbResponseMemory response[TABOR_MAX_MICS];      /* see mic_response.h */
   uint32_t heard;                                 /* whose `ears` are those of this instant */
   TbEar ears[TABOR_MAX_MICS];
+  double kick[TABOR_MAX_MICS]; /* of a plate's large deflections, to come [Pa] */
 } TbMicState;
 
 #define TB_NO_TAP UINT32_MAX

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-/* What a plate remembers of its large deflections (heads/von_karman.h). */
+/* A plate's part of the state: its large deflections (heads/von_karman.h). */
 #ifndef TB_PLATE_STATE_H
 #define TB_PLATE_STATE_H
 

@@ -38,8 +38,8 @@ typedef struct TbState {
 } TbState;
 
 /* One instant: modal displacements, wires' nodes, penetrations of all rows (a row is one contact),
- * heights of strikers, the root of a plate's large deflections' energy since the instant before, modes of the high band, the head's truncated modes under each striker, and
- * bending of sticks. */
+ * heights of strikers, psi of heads/von_karman.h between it and the instant before, modes of the
+ * high band, the head's truncated modes under each striker, and bending of sticks. */
 typedef struct TbPhase {
   double *q, *v, *eta, *z, *psi;
   void *high; /* in the high band's precision */

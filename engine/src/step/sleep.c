@@ -9,8 +9,8 @@
 #include "heads/coupling.h"
 #include "heads/moving_modes.h"
 #include "heads/stretch.h"
-#include "heads/von_karman.h"
 #include "step/energy.h"
+#include "step/plate_relax.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
 #include "strikers/striker_pool.h"
@@ -194,7 +194,7 @@ void tb_sleep_check(TbView *view) {
     return;
   }
   clear_vanished(view);
-  if (tb_von_karman_relax(view)) tb_mic_hear_anew(view);
+  tb_plate_relax(view);
   rest(view);
   tb_wire_clearance_begin(view);
   tb_pluck_calm(view);

@@ -9,6 +9,7 @@
 #include "bodies/plate/plate_forms.h"
 #include "bodies/plate/plate_profile.h"
 #include "bodies/plate/plate_stress.h"
+#include "math/draw.h"
 #include "math/eigen.h"
 #include "math/portable_math.h"
 
@@ -258,8 +259,12 @@ static TaborStatus finish_modes(const Work *w, TbArena *arena, const double *squ
     const uint32_t place = order->mode_count;
     TbBodyMode *mode = &modes[place];
     double *u = vectors + (size_t)k * w->count;
-    *mode = (TbBodyMode){
-      .m = order->m, .n = strongest(w, u), .index = k, .place = place, .part = TABOR_PART_PLATE};
+    *mode = (TbBodyMode){.m = order->m,
+                         .n = strongest(w, u),
+                         .split = w->shared->def->plate.splitting * tb_draw(order->m, k),
+                         .index = k,
+                         .place = place,
+                         .part = TABOR_PART_PLATE};
     TbArena one;
     tb_arena_beside(&one, arena);
     const bool finished =
@@ -307,7 +312,7 @@ static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def
   Shared shared = {.def = def,
                    .limit = 2.0 * PI * body->bandwidth,
                    .top = MARGIN * highest_lambda(def, bandwidth, limits),
-                   .coupled = def->plate.large_deflections ? limits.coupled : 0.0,
+                   .coupled = def->plate.large_deflections > 0.0 ? limits.coupled : 0.0,
                    .membrane = &body->membrane};
   TbArena scratch;
   tb_arena_beside(&scratch, arena);

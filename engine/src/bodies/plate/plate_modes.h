@@ -6,8 +6,8 @@
  * vacuo it has the mass M and the stiffness K of plate_forms.h. The air couples the modes of one
  * order, first by its mass at low frequency,
  *   (K + K_mount) u = omega^2 (M + Y^T A Y) u,
- * Y the Bessel amplitudes of the disc's modes, A the air's mass, then by mass and resistance at each
- * mode's own frequency (loaded_mode.h). The mount holds the rigid motion, u_0 of m < 2, by the
+ * Y the Bessel amplitudes of the disc's modes, A the air's mass, then by mass and resistance at
+ * each mode's own frequency (loaded_mode.h). The mount holds the rigid motion, u_0 of m < 2, by the
  * momentum p = (M u)_0 in it,
  *   u^T K_mount u = (2 pi f)^2 p^2/M_00,  f of the heave for m = 0 and of the tilt for m = 1,
  * with the loss 2 zeta 2 pi f p^2/M_00, so that bent modes, which have no such momentum in vacuo,

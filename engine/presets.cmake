@@ -21,6 +21,8 @@ set(TABOR_PRESETS
     snare-14x5-steel
     tom-10
     bass-drum-18
+    crash-16
+    ride-20
     snare-funk-tight
     snare-ballad-deep
     snare-seventies-dead
@@ -42,7 +44,11 @@ set(TABOR_PRESETS
     bass-drum-18-bop
     bass-drum-22-rock-punch
     bass-drum-22-vintage
-    frame-drum-low)
+    frame-drum-low
+    crash-18
+    splash-10
+    china-18
+    ride-22)
 
 set(TABOR_KITS standard jazz marching frame-drums)
 

@@ -7,7 +7,7 @@
 /* ---- set-up --------------------------------------------------------------------------------- */
 
 /* The strokes of both have the same order. */
-_Static_assert((int)MIDI_STROKE_SWEEP == (int)TABOR_KIT_STROKE_SWEEP &&
+_Static_assert((int)MIDI_STROKE_EDGE == (int)TABOR_KIT_STROKE_EDGE &&
                  (int)MIDI_STROKE_HEAD == (int)TABOR_KIT_STROKE_HEAD,
                "strokes of notes");
 

@@ -16,8 +16,6 @@
 
 #define NOTE_TIME 0.5 /* [s] for which a note is held: that of a stroke's buzz by itself */
 
-enum { STROKES = MIDI_STROKE_SWEEP + 1 };
-
 /* ---- the plan ---- */
 
 /* The notes that play this stroke. */
@@ -31,7 +29,7 @@ static void take_keys(const TaborKitDrumDef *drum, int stroke, LibrarySound *sou
 static uint32_t count_strokes(const TaborKitDef *def) {
   uint32_t count = 0;
   for (uint32_t i = 0; i < def->drum_count; i++) {
-    for (int stroke = 1; stroke < STROKES; stroke++) {
+    for (int stroke = 1; stroke < MIDI_STROKE_COUNT; stroke++) {
       count += memchr(def->drum[i].notes, stroke, MIDI_VALUES) != NULL;
     }
   }
@@ -88,7 +86,7 @@ static bool add_strokes(KitMidi *midi, LibraryRequest *request) {
   Humanizer player = request->plan.shape.humanizer;
   bool complete = true;
   for (uint32_t i = 0; i < def->drum_count; i++) {
-    for (int stroke = 1; stroke < STROKES && complete; stroke++) {
+    for (int stroke = 1; stroke < MIDI_STROKE_COUNT && complete; stroke++) {
       if (!memchr(def->drum[i].notes, stroke, MIDI_VALUES)) continue;
       complete = add_stroke(i, stroke, midi, &player, request);
     }

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
-const char *const midi_stroke_names[] = {"none", "head", "rimshot", "cross-stick",
-                                         "rim",  "buzz", "sweep",   NULL};
+const char *const midi_stroke_names[] = {"none",  "head", "rimshot", "cross-stick", "rim", "buzz",
+                                         "sweep", "bell", "bow",     "edge",        NULL};
 
 static void map_note(MidiMap *map, uint8_t note, MidiStroke stroke) {
   map->notes[note].stroke = stroke;

@@ -43,8 +43,12 @@ typedef enum MidiStroke {
   MIDI_STROKE_RIMSHOT,
   MIDI_STROKE_CROSS_STICK,
   MIDI_STROKE_RIM,
-  MIDI_STROKE_BUZZ, /**< stick pressed until the note ends; key pressure sets the force */
-  MIDI_STROKE_SWEEP /**< brush sweep until the note ends; controllers and pressure move it */
+  MIDI_STROKE_BUZZ,  /**< stick pressed until the note ends; key pressure sets the force */
+  MIDI_STROKE_SWEEP, /**< brush sweep until the note ends; controllers and pressure move it */
+  MIDI_STROKE_BELL,  /**< of a cymbal, as the next two: with the striker `bell` */
+  MIDI_STROKE_BOW,   /**< with the striker `tip` */
+  MIDI_STROKE_EDGE,  /**< with the striker `shoulder` */
+  MIDI_STROKE_COUNT
 } MidiStroke;
 
 /** Names of the strokes in the order of MidiStroke, which is that of TaborKitStroke, then NULL. */

@@ -52,6 +52,24 @@ static uint32_t find_brush(const TaborDrumDef *def, uint32_t wanted) {
   return MIDI_NO_BRUSH;
 }
 
+/* Where a cymbal is struck, and with what, unless the note says otherwise. */
+typedef struct Place {
+  double radius; /* of the cymbal's; 0: nowhere in particular */
+  const char *striker;
+} Place;
+
+static Place place_of(MidiStroke stroke) {
+  static const Place PLACES[MIDI_STROKE_COUNT] = {[MIDI_STROKE_BELL] = {0.2, "bell"},
+                                                  [MIDI_STROKE_BOW] = {0.65, "tip"},
+                                                  [MIDI_STROKE_EDGE] = {0.97, "shoulder"}};
+  return PLACES[stroke];
+}
+
+static uint32_t striker_of(const TaborDrumDef *def, const MidiNote *note) {
+  const char *placed = place_of(note->stroke).striker;
+  return find_striker(def, *note->striker || !placed ? note->striker : placed);
+}
+
 static void bind_sweep(const TaborDrumDef *def, MidiBinding *binding, int note) {
   const uint32_t brush = find_brush(def, binding->strikers[note]);
   binding->strikers[note] = brush;
@@ -69,7 +87,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->grip = find_parameter(def, "hand.grip");
   binding->strainer_parameter = find_parameter(def, "wires.strainer");
   for (int i = 0; i < MIDI_VALUES; i++) {
-    binding->strikers[i] = find_striker(def, map->notes[i].striker);
+    binding->strikers[i] = striker_of(def, &map->notes[i]);
     if (map->notes[i].stroke == MIDI_STROKE_SWEEP) bind_sweep(def, binding, i);
     if (map->controls[i].target == MIDI_TARGET_PARAMETER) {
       binding->parameters[i] = find_parameter(def, map->controls[i].key);
@@ -98,6 +116,8 @@ static double stroke_radius(const MidiToEvents *drum, const MidiNote *note) {
   if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
     return CROSS_STICK_RADIUS * head;
   }
+  const double place = place_of(note->stroke).radius;
+  if (isnan(note->radius) && place > 0) return place * head;
   return choose(note->radius * head, drum->radius * head, drum->binding.radius);
 }
 

@@ -147,8 +147,6 @@ static const TaborKitDef *named_kit(KitInstrument *kit) {
 
 /* By the map of the knob. */
 static bool name_note(Instrument *instrument, uint32_t note, char *name, size_t size) {
-  static const char *const strokes[] = {"",     "",      " rimshot", " cross-stick",
-                                        " rim", " buzz", " sweep"};
   const uint32_t map = (uint32_t)atomic_load(&instrument->values[KIT_KNOB_NOTES]);
   const TaborKitDef *const kit = named_kit(kit_of(instrument));
   KitMapNote table[MIDI_VALUES];
@@ -156,7 +154,9 @@ static bool name_note(Instrument *instrument, uint32_t note, char *name, size_t 
   for (uint32_t i = 0; kit && i < kit->drum_count; i++) {
     const MidiStroke stroke = kit_midi_stroke(&kit->drum[i], &table[note]);
     if (stroke == MIDI_STROKE_NONE) continue;
-    (void)snprintf(name, size, "%s%s", kit->drum[i].name, strokes[stroke]);
+    const bool plain = stroke == MIDI_STROKE_HEAD;
+    (void)snprintf(name, size, "%s%s%s", kit->drum[i].name, plain ? "" : " ",
+                   plain ? "" : midi_stroke_names[stroke]);
     return true;
   }
   return false;

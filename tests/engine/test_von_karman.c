@@ -146,6 +146,96 @@ static void the_gradient_is_that_of_the_potential(void **state) {
   tabor_model_release(model);
 }
 
+/* ---- one mode of a flat disc ------------------------------------------------------------------ */
+
+/* A free disc with nu = 0.33 that bends as its mode (2,0) alone stores V = c E q^4/(rho^2 h R^6), q
+ * of unit modal mass: tools/plate_backbone.py integrates the stress. Its
+ * frequency so rises by 3/2 of V's factor times a^2/w0^2. */
+static const double QUARTIC = 0.47414;   /* c */
+static const double HARDENING = 0.16014; /* of w: per square of edge deflection over thickness */
+
+static TaborDrumDef ideal_disc(void) {
+  TaborDrumDef def = disc_def();
+  def.plate.poisson_ratio = 0.33;
+  def.plate.splitting = def.plate.damping_0 = def.plate.loss = 0.0;
+  def.plate.cascade = 0.0;
+  def.air.density = 0.0;
+  def.quality.losses = 0;
+  return def;
+}
+
+/* The place of the mode (2,0) among the pairs' displacements, and its cosine among the modes. */
+static uint32_t lowest_pair(const TaborModel *model, uint32_t *mode) {
+  const TbPlateCoupling *plate = &model->plate;
+  const uint32_t at = 2u * plate->tables.first[2];
+  *mode = plate->mode[at];
+  assert_int_equal(model->body.modes[model->modes.row[*mode]].m, 2);
+  return at;
+}
+
+static void one_mode_stores_its_quartic(void **state) {
+  (void)state;
+  const TaborDrumDef def = ideal_disc();
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
+  Workspace w = workspace_of(&model->plate);
+  uint32_t mode;
+  const uint32_t at = lowest_pair(model, &mode);
+  memset(w.q, 0, 2u * model->plate.tables.pairs * sizeof *w.q);
+  w.q[at] = 1e-3f;
+  const double found =
+    model->kernelsf->von_karman(&model->plate.tables, w.q, w.gradient, w.scratch);
+  const double expected =
+    QUARTIC * def.plate.youngs_modulus * pow(1e-3, 4.0) /
+    (pow(def.plate.density, 2.0) * def.plate.thickness * pow(def.shell.radius, 6.0));
+  print_message("V %.6g J, by integration %.6g J\n", found, expected);
+  assert_true(fabs(found / expected - 1.0) < 1e-2);
+  free_workspace(w);
+  tabor_model_release(model);
+}
+
+/* Frequency [Hz] at which a mode that was let go at `amplitude` swings, after 0.1 s. */
+static double swing(const TaborModel *model, uint32_t mode, double amplitude) {
+  TaborDrum *drum = physics_drum((TaborModel *)model);
+  TbView view = tb_view(drum->state, model);
+  drum->state->asleep = 0;
+  view.now.q[mode] = view.last.q[mode] = amplitude;
+  double before = 0.0, first = 0.0, last = 0.0;
+  uint32_t crossings = 0;
+  for (uint32_t frame = 0; frame < 96000; frame++) {
+    tabor_drum_process(drum, NULL, 0, NULL, 1);
+    view = tb_view(drum->state, model);
+    const double q = view.now.q[mode];
+    if (frame > 4800 && before < 0.0 && q >= 0.0) {
+      last = frame - q / (q - before);
+      if (crossings++ == 0) first = last;
+    }
+    before = q;
+  }
+  tabor_drum_destroy(drum);
+  return 48000.0 * (crossings - 1u) / (last - first);
+}
+
+static void one_mode_hardens_along_its_backbone(void **state) {
+  (void)state;
+  const TaborDrumDef def = ideal_disc();
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_STUDIO);
+  uint32_t mode;
+  (void)lowest_pair(model, &mode);
+  double *radial = calloc(model->body.row_count, sizeof *radial);
+  tb_body_radial(&model->body, 0, def.shell.radius, NULL, radial);
+  tb_body_add_lift(&model->body, def.shell.radius, radial);
+  const double edge = fabs(radial[model->modes.row[mode]]);
+  const double still = swing(model, mode, 1e-6);
+  for (double ratio = 0.05; ratio < 0.25; ratio *= 2.0) {
+    const double rise = swing(model, mode, ratio * def.plate.thickness / edge) / still - 1.0;
+    const double expected = HARDENING * ratio * ratio;
+    print_message("edge %.2f h: frequency higher by %.6f, expected %.6f\n", ratio, rise, expected);
+    assert_true(fabs(rise / expected - 1.0) < 0.005 + 0.4 * ratio * ratio); /* the next order */
+  }
+  free(radial);
+  tabor_model_release(model);
+}
+
 /* ---- strokes --------------------------------------------------------------------------------- */
 
 static double relative_residual(const TaborDrum *drum) {
@@ -244,6 +334,8 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_kernel_finds_the_potential),
     cmocka_unit_test(the_gradient_is_that_of_the_potential),
+    cmocka_unit_test(one_mode_stores_its_quartic),
+    cmocka_unit_test(one_mode_hardens_along_its_backbone),
     cmocka_unit_test(the_energy_account_closes),
     cmocka_unit_test(hard_strokes_bloom),
   };

@@ -70,7 +70,10 @@ typedef enum TaborKitStroke {
   TABOR_KIT_STROKE_CROSS_STICK, /**< the stick lies on the head and strikes the hoop */
   TABOR_KIT_STROKE_RIM,         /**< the hoop alone */
   TABOR_KIT_STROKE_BUZZ,        /**< the stick is pressed until the note ends */
-  TABOR_KIT_STROKE_SWEEP        /**< a brush is drawn over the head until the note ends */
+  TABOR_KIT_STROKE_SWEEP,       /**< a brush is drawn over the head until the note ends */
+  TABOR_KIT_STROKE_BELL,        /**< of a cymbal: on its bell */
+  TABOR_KIT_STROKE_BOW,         /**< of a cymbal: between bell and edge */
+  TABOR_KIT_STROKE_EDGE         /**< of a cymbal: on its edge */
 } TaborKitStroke;
 
 /** One drum of a kit. */
@@ -156,8 +159,8 @@ TABOR_API TaborStatus tabor_kit_def_preset(TaborKitDef *def, const char *name, T
  *   makes of it; place, mix and notes stay;
  * - a field of TaborKitDrumDef: `x`, `y`, `height`, `tilt`, `facing`, `gain`, `pan`, `wake`,
  *   `choke`, `mic`;
- * - `head`, `rimshot`, `cross-stick`, `rim`, `buzz`, `sweep`: the notes that play it so, as "38,
- *   40"; "" none;
+ * - `head`, `rimshot`, `cross-stick`, `rim`, `buzz`, `sweep`, `bell`, `bow`, `edge`: the notes that
+ *   play it so, as "38, 40"; "" none;
  * - a key of the drum itself, as `batter.pitch`.
  *
  * `kit.coupling` takes "off", too. On an error @p def is unchanged: TABOR_ERROR_KEY,

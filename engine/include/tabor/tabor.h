@@ -211,6 +211,8 @@ typedef struct TaborPlateDef {
   double flange_width;  /**< [m], 0.005 to 0.6 and at most R, default 0.04 */
   double flange_slope;  /**< at the edge, 0 to 1, default 0: no flange */
   double splitting;     /**< part by which modes of a pair differ, 0 to 0.05, default 0: none */
+  double cascade;       /**< how fast energy goes up the spectrum beyond the modes that are coupled
+                               one by one, 0 to 20, default 2 */
   double large_deflections; /**< part of the coupling of modes by stress in the middle surface, 0
                                to 1, default 1 as physics has it */
 } TaborPlateDef;

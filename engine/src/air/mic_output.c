@@ -171,8 +171,8 @@ static double hear(TbEar *ear, TbPair sums) {
   return pressure;
 }
 
-/* A plate's large deflections act in every n-th step, n times as strongly. What such a kick alone
- * adds to the pressure is heard in n steps, or its images would stand beside every partial. */
+/* A plate's large deflections act in every n-th step, n times as strongly. The pressure that such a
+ * kick alone adds is heard in n steps, or its images would stand beside every partial. */
 static double spread_kick(TbView *view, uint32_t mic, double pressure) {
   const TaborModel *model = view->model;
   double *kick = &view->state->mics.kick[mic];

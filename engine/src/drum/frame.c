@@ -81,5 +81,6 @@ void tb_frame(TbView *view, uint32_t heard, TbFrameAir *air, double *pressure) {
   for (uint32_t mic = 0; state->hushed && mic < view->model->def.mic_count; mic++) {
     pressure[mic] = 0.0;
   }
-  if (state->clock % HOUSEKEEPING < view->model->steps) tb_sleep_check(view);
+  if (state->clock % HOUSEKEEPING < view->model->steps)
+    tb_sleep_check(view, (uint32_t)HOUSEKEEPING);
 }

@@ -75,7 +75,7 @@ static void stop(TbView *view, uint32_t from, uint32_t end) {
 /* Without losses nothing dies away. */
 static bool goes_on(const TbView *view) {
   if (!view->model->def.quality.losses) return true;
-  if (tb_incident_pushes_all(view)) return true;
+  if (tb_incident_pushes_all(view) || view->state->plate.part > 0.0) return true;
   return tb_slots_play(view);
 }
 

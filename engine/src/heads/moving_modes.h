@@ -6,7 +6,8 @@
  * Modes come to rest from a part's end on, while no striker is in play, where they hold less than
  * can be heard or felt (model/resting.h); what they held is booked as lost in the head. They move
  * again as soon as a striker, a hand or sound from outside is about to push them: the drum's own
- * stroke leaves whole parts at rest (modes.h). Modes that wires, uneven lugs or other drums may
+ * stroke leaves whole parts at rest (modes.h). While a plate's large deflections couple modes, all
+ * move. Modes that wires, uneven lugs or other drums may
  * push never rest (TbResting.floor). Audio-safe. */
 #ifndef TB_MOVING_MODES_H
 #define TB_MOVING_MODES_H

@@ -10,7 +10,7 @@ typedef struct TbStretchLaw {
   /* Decides how many scalars act in this step, and fills view->stretch.mixed for them; books what
    * begins and what ends. */
   uint32_t (*begin)(TbView *view);
-  /* What Y^T (x + q-) has more. */
+  /* The sum to be added to Y^T (x + q-). */
   double (*shift)(const TbView *view);
   /* Call after view->end.stretch is known. */
   void (*end)(TbView *view);

@@ -29,17 +29,16 @@ typedef struct Field {
 
 /* ---- Fourier transform ----------------------------------------------------------------------- */
 
-/* One pass of Stockham's transform with radix 4: of n angles, `stride` floats each. */
-static INLINE void radix_4(const TbVonKarman *plate, uint32_t n, uint32_t stride, Field x,
-                           Field y) {
+/* One pass of Stockham's transform with radix 4: of n angles, `span` floats each. */
+static INLINE void radix_4(const TbVonKarman *plate, uint32_t n, uint32_t span, Field x, Field y) {
   const uint32_t quarter = n / 4u, turn = plate->angles / n;
   for (uint32_t p = 0; p < quarter; p++) {
     const float c1 = plate->cosine[p * turn], s1 = plate->sine[p * turn];
     const float c2 = plate->cosine[2u * p * turn], s2 = plate->sine[2u * p * turn];
     const float c3 = plate->cosine[3u * p * turn], s3 = plate->sine[3u * p * turn];
-    const uint32_t a = stride * p, b = a + stride * quarter, c = b + stride * quarter,
-                   d = c + stride * quarter, to = 4u * a;
-    for (uint32_t q = 0; q < stride; q += 8) {
+    const uint32_t a = span * p, b = a + span * quarter, c = b + span * quarter,
+                   d = c + span * quarter, to = 4u * a;
+    for (uint32_t q = 0; q < span; q += 8) {
       const Lanes ar = load(x.re + a + q), ai = load(x.im + a + q);
       const Lanes br = load(x.re + b + q), bi = load(x.im + b + q);
       const Lanes cr = load(x.re + c + q), ci = load(x.im + c + q);
@@ -51,41 +50,41 @@ static INLINE void radix_4(const TbVonKarman *plate, uint32_t n, uint32_t stride
       store(y.re + to + q, add(even_r, odd_r));
       store(y.im + to + q, add(even_i, odd_i));
       const Lanes r1 = add(half_r, turned_i), i1 = subtract(half_i, turned_r);
-      store(y.re + to + stride + q, add(scale(r1, c1), scale(i1, s1)));
-      store(y.im + to + stride + q, subtract(scale(i1, c1), scale(r1, s1)));
+      store(y.re + to + span + q, add(scale(r1, c1), scale(i1, s1)));
+      store(y.im + to + span + q, subtract(scale(i1, c1), scale(r1, s1)));
       const Lanes r2 = subtract(even_r, odd_r), i2 = subtract(even_i, odd_i);
-      store(y.re + to + 2u * stride + q, add(scale(r2, c2), scale(i2, s2)));
-      store(y.im + to + 2u * stride + q, subtract(scale(i2, c2), scale(r2, s2)));
+      store(y.re + to + 2u * span + q, add(scale(r2, c2), scale(i2, s2)));
+      store(y.im + to + 2u * span + q, subtract(scale(i2, c2), scale(r2, s2)));
       const Lanes r3 = subtract(half_r, turned_i), i3 = add(half_i, turned_r);
-      store(y.re + to + 3u * stride + q, add(scale(r3, c3), scale(i3, s3)));
-      store(y.im + to + 3u * stride + q, subtract(scale(i3, c3), scale(r3, s3)));
+      store(y.re + to + 3u * span + q, add(scale(r3, c3), scale(i3, s3)));
+      store(y.im + to + 3u * span + q, subtract(scale(i3, c3), scale(r3, s3)));
     }
   }
 }
 
-static INLINE void radix_2(uint32_t stride, const float *x, float *y) {
-  for (uint32_t q = 0; q < stride; q += 8) {
-    const Lanes a = load(x + q), b = load(x + stride + q);
+static INLINE void radix_2(uint32_t span, const float *x, float *y) {
+  for (uint32_t q = 0; q < span; q += 8) {
+    const Lanes a = load(x + q), b = load(x + span + q);
     store(y + q, add(a, b));
-    store(y + stride + q, subtract(a, b));
+    store(y + span + q, subtract(a, b));
   }
 }
 
 /* Sum_j x_j exp(-2 pi i j k/n) of `width` floats an angle. The result stands in *x, and what *x was
  * or the work, whichever is left, in *work. */
 static void transform(const TbVonKarman *plate, uint32_t width, Field *x, Field *work) {
-  uint32_t n = plate->angles, stride = width;
+  uint32_t n = plate->angles, span = width;
   Field from = *x, to = *work;
   for (; n > 1u; n /= 4u) {
     if (n == 2u) {
-      radix_2(stride, from.re, to.re);
-      radix_2(stride, from.im, to.im);
+      radix_2(span, from.re, to.re);
+      radix_2(span, from.im, to.im);
     } else {
-      radix_4(plate, n, stride, from, to);
+      radix_4(plate, n, span, from, to);
     }
     const Field swap = from;
     from = to, to = swap;
-    stride *= 4u;
+    span *= 4u;
     if (n == 2u) break;
   }
   *x = from, *work = to;

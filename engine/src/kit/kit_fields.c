@@ -53,8 +53,8 @@ double tb_kit_field_value(const TbKitField *field, const void *fields) {
 }
 
 const char *tb_kit_stroke_word(uint32_t stroke) {
-  static const char *const WORDS[TB_KIT_STROKES] = {NULL,  "head", "rimshot", "cross-stick",
-                                                    "rim", "buzz", "sweep"};
+  static const char *const WORDS[TB_KIT_STROKES] = {
+    NULL, "head", "rimshot", "cross-stick", "rim", "buzz", "sweep", "bell", "bow", "edge"};
   return stroke < TB_KIT_STROKES ? WORDS[stroke] : NULL;
 }
 

@@ -12,6 +12,7 @@
 #include "kernels/kernels.h"
 #include "kernels/precision.h"
 #include "model/brush_shapes.h"
+#include "model/cascade.h"
 #include "model/compliance.h"
 #include "model/contact_rows.h"
 #include "model/high_band.h"
@@ -139,6 +140,7 @@ struct TaborModel {
   TbComplianceF compliancef; /* for contacts in single precision */
   TbStretch stretch;
   TbPlateCoupling plate;
+  TbCascade cascade;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *palm_patch;

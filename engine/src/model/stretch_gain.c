@@ -121,7 +121,7 @@ static TaborStatus prepare_plate(TaborModel *model) {
   prepare_parts(model, all);
   for (uint32_t h = 0; h < TB_HEADS; h++) list_felt(stretch, &model->modes, h);
   stretch->gain[0] = tb_arena_doubles(&model->arena, model->modes.padded);
-  return stretch->gain[0] ? TABOR_OK : TABOR_ERROR_MEMORY;
+  return stretch->gain[0] ? tb_cascade_prepare(model) : TABOR_ERROR_MEMORY;
 }
 
 TaborStatus tb_stretch_prepare(TaborModel *model) {

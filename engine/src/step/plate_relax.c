@@ -2,14 +2,30 @@
 #include "step/plate_relax.h"
 
 #include "air/mic_output.h"
+#include "heads/cascade.h"
+#include "heads/coupling.h"
 #include "heads/von_karman.h"
 #include "strikers/striker_pool.h"
 
+/* The surface moves by less than this when modes are changed [m]. */
+static const double MARGIN = 2e-3;
+
+/* Something strikes the plate, or might as soon as its modes are changed. */
 static bool is_struck(const TbView *view) {
   for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (tb_slot_strikes(tb_slot(view, i)) && tb_pool_touches(view, i)) return true;
+    if (!tb_slot_strikes(tb_slot(view, i))) continue;
+    const uint32_t row = tb_slot_row(&view->model->rows, i);
+    if (view->now.eta[row] > -MARGIN || view->last.eta[row] > -MARGIN) return true;
   }
   return false;
+}
+
+/* If the surface has moved by more after all, the contact's energy is booked. */
+static void book_contacts(TbView *view) {
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (!tb_slot_strikes(tb_slot(view, i)) || !tb_pool_touches(view, i)) continue;
+    view->state->ledger.sums.control += tb_pool_contact_energy(view, i, &view->now, &view->last);
+  }
 }
 
 /* Adds to the penetrations of slots in play, with this sign, what these feel of the modes. */
@@ -22,11 +38,22 @@ static void add_displacements(TbView *view, double sign) {
   }
 }
 
-void tb_plate_relax(TbView *view) {
-  const double excess = is_struck(view) ? 0.0 : tb_von_karman_excess(view);
-  if (excess == 0.0) return;
+static void wake_all(TbView *view) {
+  if (view->all_move) return;
+  tb_pool_wake(view, NULL);
+  tb_coupling_renew(view);
+}
+
+void tb_plate_relax(TbView *view, uint32_t steps) {
+  if (is_struck(view)) return;
+  const double excess = tb_von_karman_excess(view);
+  const bool cascades = tb_cascade_acts(view);
+  if (excess == 0.0 && !cascades) return;
+  if (cascades) wake_all(view);
   add_displacements(view, -1.0);
-  tb_von_karman_return(view, excess);
+  if (excess != 0.0) tb_von_karman_return(view, excess);
+  if (cascades) tb_cascade_pass(view, steps);
   add_displacements(view, 1.0);
+  book_contacts(view);
   tb_mic_hear_anew(view);
 }

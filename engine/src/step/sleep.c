@@ -180,7 +180,7 @@ static void rest(TbView *view) {
   tb_coupling_renew(view);
 }
 
-void tb_sleep_check(TbView *view) {
+void tb_sleep_check(TbView *view, uint32_t steps) {
   TbState *state = view->state;
   const double motion = tb_energy_motion(view, &view->now, &view->last);
   if (!isfinite(motion)) {
@@ -194,7 +194,7 @@ void tb_sleep_check(TbView *view) {
     return;
   }
   clear_vanished(view);
-  tb_plate_relax(view);
+  tb_plate_relax(view, steps);
   rest(view);
   tb_wire_clearance_begin(view);
   tb_pluck_calm(view);

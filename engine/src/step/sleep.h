@@ -14,9 +14,9 @@
 
 #include "state/state.h"
 
-/* To be called every 64 samples: puts a drum to sleep that has been still for 16 calls, clears
- * vanished modes before they become denormal numbers, and puts a drum to rest whose state is not
- * finite. */
-void tb_sleep_check(TbView *view);
+/* To be called every `steps` steps, 64: puts a drum to sleep that has been still for 16 calls,
+ * clears vanished modes before they become denormal numbers, keeps a plate's large deflections
+ * right, and puts a drum to rest whose state is not finite. */
+void tb_sleep_check(TbView *view, uint32_t steps);
 
 #endif

@@ -126,7 +126,7 @@ static void mirror(uint32_t n, double *matrix) {
   }
 }
 
-/* What the forms of one order are made of. */
+/* One order, with all that its forms are made of. */
 typedef struct Order {
   const TaborDrumDef *def;
   const TbPlatePoints *points;

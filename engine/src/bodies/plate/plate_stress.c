@@ -7,7 +7,7 @@
 #include "math/eigen.h"
 #include "math/quadrature.h"
 
-/* Of the highest wavenumber of the modes. */
+/* The highest wavenumber of stress, in units of that of the modes. */
 static const double STRESS_PER_MODE = 0.5;
 
 /* Gauss's points along the radius: a product of two modes and a function of stress goes through
@@ -36,8 +36,7 @@ bool tb_plate_stress_begin(const TaborDrumDef *def, double lambda, uint32_t orde
 
 double tb_plate_stress_top(double lambda) { return STRESS_PER_MODE * lambda; }
 
-/* Of the compliance mu [m3/N] of a function of stress: (mu E h)^(1/4) R on a flat disc, to which a
- * clamped one is near. */
+/* The lambda of a function of stress with the compliance mu [m3/N]: near (mu E h)^(1/4) R. */
 static double stress_lambda(const TaborDrumDef *def, double mu) {
   const double thickness =
     tb_plate_profile(&def->plate, def->shell.radius, 0.5 * def->shell.radius).thickness;

@@ -23,6 +23,10 @@ set(TABOR_PRESETS
     bass-drum-18
     crash-16
     ride-20
+    crash-18
+    ride-22
+    splash-10
+    china-18
     snare-funk-tight
     snare-ballad-deep
     snare-seventies-dead
@@ -44,11 +48,7 @@ set(TABOR_PRESETS
     bass-drum-18-bop
     bass-drum-22-rock-punch
     bass-drum-22-vintage
-    frame-drum-low
-    crash-18
-    splash-10
-    china-18
-    ride-22)
+    frame-drum-low)
 
 set(TABOR_KITS standard jazz marching frame-drums)
 

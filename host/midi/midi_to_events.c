@@ -58,15 +58,12 @@ typedef struct Place {
   const char *striker;
 } Place;
 
-static Place place_of(MidiStroke stroke) {
-  static const Place PLACES[MIDI_STROKE_COUNT] = {[MIDI_STROKE_BELL] = {0.2, "bell"},
-                                                  [MIDI_STROKE_BOW] = {0.65, "tip"},
-                                                  [MIDI_STROKE_EDGE] = {0.97, "shoulder"}};
-  return PLACES[stroke];
-}
+static const Place PLACES[MIDI_STROKE_COUNT] = {[MIDI_STROKE_BELL] = {0.2, "bell"},
+                                                [MIDI_STROKE_BOW] = {0.65, "tip"},
+                                                [MIDI_STROKE_EDGE] = {0.97, "shoulder"}};
 
 static uint32_t striker_of(const TaborDrumDef *def, const MidiNote *note) {
-  const char *placed = place_of(note->stroke).striker;
+  const char *placed = PLACES[note->stroke].striker;
   return find_striker(def, *note->striker || !placed ? note->striker : placed);
 }
 
@@ -116,7 +113,7 @@ static double stroke_radius(const MidiToEvents *drum, const MidiNote *note) {
   if (isnan(note->radius) && note->stroke == MIDI_STROKE_CROSS_STICK) {
     return CROSS_STICK_RADIUS * head;
   }
-  const double place = place_of(note->stroke).radius;
+  const double place = PLACES[note->stroke].radius;
   if (isnan(note->radius) && place > 0) return place * head;
   return choose(note->radius * head, drum->radius * head, drum->binding.radius);
 }

@@ -7,6 +7,9 @@
 #define RIMSHOT MIDI_STROKE_RIMSHOT
 #define CROSS_STICK MIDI_STROKE_CROSS_STICK
 #define RIM MIDI_STROKE_RIM
+#define BELL MIDI_STROKE_BELL
+#define BOW MIDI_STROKE_BOW
+#define EDGE MIDI_STROKE_EDGE
 
 /* [RolandTD17], factory setting. */
 static const KitMapNote roland[] = {
@@ -25,12 +28,12 @@ static const KitMapNote roland[] = {
   {42, 42, AS_IN_KIT},   /* closed hi-hat, bow */
   {22, 42, AS_IN_KIT},   /* closed hi-hat, edge */
   {44, 44, AS_IN_KIT},   /* hi-hat, pedal */
-  {49, 49, AS_IN_KIT},   /* crash 1, bow */
-  {55, 49, AS_IN_KIT},   /* crash 1, edge */
-  {57, 57, AS_IN_KIT},   /* crash 2, bow */
-  {52, 57, AS_IN_KIT},   /* crash 2, edge */
+  {49, 49, BOW},         /* crash 1, bow */
+  {55, 49, EDGE},        /* crash 1, edge */
+  {57, 57, BOW},         /* crash 2, bow */
+  {52, 57, EDGE},        /* crash 2, edge */
   {51, 51, AS_IN_KIT},   /* ride, bow */
-  {59, 51, AS_IN_KIT},   /* ride, edge */
+  {59, 51, EDGE},        /* ride, edge */
   {53, 53, AS_IN_KIT},   /* ride, bell */
 };
 
@@ -56,11 +59,11 @@ static const KitMapNote yamaha[] = {
   {86, 42, AS_IN_KIT},   /* closed hi-hat, cup */
   {44, 44, AS_IN_KIT},   /* hi-hat closed by the foot */
   {83, 46, AS_IN_KIT},   /* splash by the foot; 46 in the module's own General MIDI kit */
-  {59, 49, AS_IN_KIT},   /* crash, bow */
-  {49, 49, AS_IN_KIT},   /* crash, edge */
-  {55, 49, AS_IN_KIT},   /* crash, cup */
+  {59, 49, BOW},         /* crash, bow */
+  {49, 49, EDGE},        /* crash, edge */
+  {55, 49, BELL},        /* crash, cup */
   {51, 51, AS_IN_KIT},   /* ride, bow */
-  {52, 51, AS_IN_KIT},   /* ride, edge */
+  {52, 51, EDGE},        /* ride, edge */
   {53, 53, AS_IN_KIT},   /* ride, cup */
 };
 
@@ -117,7 +120,7 @@ static const KitMapNote superior[] = {
   {57, 49, AS_IN_KIT},   /* crash 3 */
   {52, 52, AS_IN_KIT},   /* crash 4, or a Chinese cymbal */
   {51, 51, AS_IN_KIT},   /* ride, bow */
-  {59, 51, AS_IN_KIT},   /* ride, edge */
+  {59, 51, EDGE},        /* ride, edge */
   {53, 53, AS_IN_KIT},   /* ride, bell */
 };
 

@@ -126,7 +126,7 @@ static void waves_are_derivatives_of_their_values(void **state) {
         double values[4][3];
         const TbDiscWave wave = {values[0], values[1], values[2], values[3]};
         const double at = 0.17, r[3] = {at - step, at, at + step};
-        tb_disc_wave(&modes[k], m, radius, 3, r, &wave);
+        tb_disc_wave(&modes[k], NULL, m, radius, 3, r, &wave);
         const double *w = values[0], slope = (w[2] - w[0]) / (2.0 * step);
         const double bend = (w[2] - 2.0 * w[1] + w[0]) / (step * step);
         const double scale = 1e-4 * (1.0 + modes[k].lambda * modes[k].lambda) / (radius * radius);

@@ -23,10 +23,10 @@ static inline TaborDrumDef physics_preset(const char *name) {
   return def;
 }
 
-/* Built-in presets come first, their tunings (`base`) after them: how many of the first. */
+/* Built-in drums come first, then cymbals, then their tunings (`base`): how many of the first. */
 static inline uint32_t physics_drum_count(void) {
   uint32_t count = 0;
-  while (count < tabor_preset_count() && !tabor_preset(count)->base) count++;
+  while (strcmp(tabor_preset(count)->category, "cymbal") != 0) count++;
   return count;
 }
 

@@ -29,35 +29,65 @@ typedef struct Field {
 
 /* ---- Fourier transform ----------------------------------------------------------------------- */
 
+typedef struct Complex {
+  Lanes re, im;
+} Complex;
+
+static INLINE Complex load_complex(Field x, uint32_t at) {
+  return (Complex){load(x.re + at), load(x.im + at)};
+}
+
+static INLINE void store_complex(Field y, uint32_t at, Complex z) {
+  store(y.re + at, z.re);
+  store(y.im + at, z.im);
+}
+
+static INLINE Complex add_complex(Complex x, Complex y) {
+  return (Complex){add(x.re, y.re), add(x.im, y.im)};
+}
+
+static INLINE Complex subtract_complex(Complex x, Complex y) {
+  return (Complex){subtract(x.re, y.re), subtract(x.im, y.im)};
+}
+
+/* x exp(-i t) */
+static INLINE Complex turn(Complex x, float cosine, float sine) {
+  return (Complex){add(scale(x.re, cosine), scale(x.im, sine)),
+                   subtract(scale(x.im, cosine), scale(x.re, sine))};
+}
+
+/* Four angles, a quarter of the circle apart, `span` floats each. `turns` is a constant at every
+ * call: whether the results turn, by steps of the table. */
+static INLINE void butterfly(bool turns, const TbVonKarman *plate, uint32_t step, uint32_t span,
+                             const uint32_t from[4], uint32_t to, Field x, Field y) {
+  const float c1 = plate->cosine[step], s1 = plate->sine[step];
+  const float c2 = plate->cosine[2u * step], s2 = plate->sine[2u * step];
+  const float c3 = plate->cosine[3u * step], s3 = plate->sine[3u * step];
+  for (uint32_t q = 0; q < span; q += 8) {
+    const Complex a = load_complex(x, from[0] + q), b = load_complex(x, from[1] + q);
+    const Complex c = load_complex(x, from[2] + q), d = load_complex(x, from[3] + q);
+    const Complex even = add_complex(a, c), half = subtract_complex(a, c);
+    const Complex odd = add_complex(b, d), across = subtract_complex(b, d);
+    const Complex ahead = {add(half.re, across.im), subtract(half.im, across.re)};
+    const Complex behind = {subtract(half.re, across.im), add(half.im, across.re)};
+    const Complex apart = subtract_complex(even, odd);
+    store_complex(y, to + q, add_complex(even, odd));
+    store_complex(y, to + span + q, turns ? turn(ahead, c1, s1) : ahead);
+    store_complex(y, to + 2u * span + q, turns ? turn(apart, c2, s2) : apart);
+    store_complex(y, to + 3u * span + q, turns ? turn(behind, c3, s3) : behind);
+  }
+}
+
 /* One pass of Stockham's transform with radix 4: of n angles, `span` floats each. */
 static INLINE void radix_4(const TbVonKarman *plate, uint32_t n, uint32_t span, Field x, Field y) {
-  const uint32_t quarter = n / 4u, turn = plate->angles / n;
+  const uint32_t quarter = n / 4u, step = plate->angles / n, apart = span * quarter;
   for (uint32_t p = 0; p < quarter; p++) {
-    const float c1 = plate->cosine[p * turn], s1 = plate->sine[p * turn];
-    const float c2 = plate->cosine[2u * p * turn], s2 = plate->sine[2u * p * turn];
-    const float c3 = plate->cosine[3u * p * turn], s3 = plate->sine[3u * p * turn];
-    const uint32_t a = span * p, b = a + span * quarter, c = b + span * quarter,
-                   d = c + span * quarter, to = 4u * a;
-    for (uint32_t q = 0; q < span; q += 8) {
-      const Lanes ar = load(x.re + a + q), ai = load(x.im + a + q);
-      const Lanes br = load(x.re + b + q), bi = load(x.im + b + q);
-      const Lanes cr = load(x.re + c + q), ci = load(x.im + c + q);
-      const Lanes dr = load(x.re + d + q), di = load(x.im + d + q);
-      const Lanes even_r = add(ar, cr), even_i = add(ai, ci);
-      const Lanes half_r = subtract(ar, cr), half_i = subtract(ai, ci);
-      const Lanes odd_r = add(br, dr), odd_i = add(bi, di);
-      const Lanes turned_r = subtract(br, dr), turned_i = subtract(bi, di);
-      store(y.re + to + q, add(even_r, odd_r));
-      store(y.im + to + q, add(even_i, odd_i));
-      const Lanes r1 = add(half_r, turned_i), i1 = subtract(half_i, turned_r);
-      store(y.re + to + span + q, add(scale(r1, c1), scale(i1, s1)));
-      store(y.im + to + span + q, subtract(scale(i1, c1), scale(r1, s1)));
-      const Lanes r2 = subtract(even_r, odd_r), i2 = subtract(even_i, odd_i);
-      store(y.re + to + 2u * span + q, add(scale(r2, c2), scale(i2, s2)));
-      store(y.im + to + 2u * span + q, subtract(scale(i2, c2), scale(r2, s2)));
-      const Lanes r3 = subtract(half_r, turned_i), i3 = add(half_i, turned_r);
-      store(y.re + to + 3u * span + q, add(scale(r3, c3), scale(i3, s3)));
-      store(y.im + to + 3u * span + q, subtract(scale(i3, c3), scale(r3, s3)));
+    const uint32_t at = span * p;
+    const uint32_t from[4] = {at, at + apart, at + 2u * apart, at + 3u * apart};
+    if (p == 0) {
+      butterfly(false, plate, 0, span, from, 0, x, y);
+    } else {
+      butterfly(true, plate, p * step, span, from, 4u * at, x, y);
     }
   }
 }
@@ -166,12 +196,16 @@ static INLINE void spread_halves(const TbVonKarman *plate, uint32_t m, const flo
   }
 }
 
+/* Orders without pairs, up to the mirrored ones. */
+static void clear_orders(const TbVonKarman *plate, uint32_t orders, uint32_t width, Field z) {
+  const size_t count = (size_t)(plate->angles - 2u * orders + 1u) * width;
+  memset(z.re + (size_t)orders * width, 0, count * sizeof(float));
+  memset(z.im + (size_t)orders * width, 0, count * sizeof(float));
+}
+
 static void to_fields(const TbVonKarman *plate, const float *q, Field both, Field twist) {
-  const size_t size = (size_t)plate->points * plate->angles * sizeof(float);
-  memset(both.re, 0, size);
-  memset(both.im, 0, size);
-  memset(twist.re, 0, size / 2u);
-  memset(twist.im, 0, size / 2u);
+  clear_orders(plate, plate->orders, plate->points, both);
+  clear_orders(plate, plate->orders, plate->points / 2u, twist);
   for (uint32_t m = 0; m < plate->orders; m++) {
     Synthesis sums;
     synthesize(plate, m, q, &sums);
@@ -241,8 +275,7 @@ static double stress_function(const TbVonKarman *plate, const float *q, Field pr
   const uint32_t points = plate->points;
   const float *rise = plate->rise;
   double potential = 0.0;
-  memset(f.re, 0, (size_t)points / 2u * plate->angles * sizeof(float));
-  memset(f.im, 0, (size_t)points / 2u * plate->angles * sizeof(float));
+  clear_orders(plate, plate->stress_orders, points / 2u, f);
   for (uint32_t m = 0; m < plate->stress_orders; m++) {
     float cosine[MOST_POINTS], sine[MOST_POINTS];
     float f_cosine[MOST_POINTS] = {0.0f}, f_sine[MOST_POINTS] = {0.0f};

@@ -8,8 +8,8 @@
 #include "math/modified_bessel.h"
 #include "math/portable_math.h"
 
-/* Roots of one order are some pi apart; a step finds each of them. */
-static const double STEP = 0.1;
+/* Roots of one order are some pi apart, and 2 at least; a step finds each of them. */
+static const double STEP = 0.5;
 
 /* q - m = l I_{m+1}(l)/I_m(l), by Lentz's rule from the far end: some 2 l terms reach rounding. */
 static double modified_ratio(uint32_t m, double l) {
@@ -53,17 +53,24 @@ static double residual(const Family *f, double l) {
   return e.moment_j * e.shear_i - e.shear_j * e.moment_i;
 }
 
-static double bisect(const Family *f, double lo, double hi) {
-  const double sign = residual(f, lo);
-  for (int i = 0; i < 60; i++) {
-    const double middle = 0.5 * (lo + hi);
-    if (residual(f, middle) * sign > 0.0) {
-      lo = middle;
+/* The root between lo and hi, by the Illinois variant of the rule of false position: some ten steps
+ * reach rounding. */
+static double root_between(const Family *f, double lo, double hi) {
+  double at_lo = residual(f, lo), at_hi = residual(f, hi);
+  for (int i = 0; i < 60 && at_hi != 0.0; i++) {
+    const double next = hi - at_hi * (hi - lo) / (at_hi - at_lo), at_next = residual(f, next);
+    const bool done = fabs(next - hi) < 1e-15 * hi;
+    if (at_next * at_hi < 0.0) {
+      lo = hi;
+      at_lo = at_hi;
     } else {
-      hi = middle;
+      at_lo *= 0.5;
     }
+    hi = next;
+    at_hi = at_next;
+    if (done) break;
   }
-  return 0.5 * (lo + hi);
+  return hi;
 }
 
 static TbDiscMode bent(const Family *f, double l) {
@@ -83,7 +90,7 @@ uint32_t tb_disc_modes(TbDiscEdge edge, uint32_t m, double poisson_ratio, double
   double before = residual(&f, l);
   while (l < top && count < room) {
     const double after = residual(&f, l + STEP);
-    const double root = before * after < 0.0 ? bisect(&f, l, l + STEP) : top;
+    const double root = before * after < 0.0 ? root_between(&f, l, l + STEP) : top;
     if (root < top) modes[count++] = bent(&f, root);
     before = after;
     l += STEP;
@@ -110,8 +117,8 @@ static void rigid_wave(uint32_t m, double radius, uint32_t count, const double *
 }
 
 /* With w = J + I, both solve Bessel's equation: w_rr + w_r/r - m^2 w/r^2 = (l/R)^2 (I - J). */
-void tb_disc_wave(const TbDiscMode *mode, uint32_t m, double radius, uint32_t count,
-                  const double *r, const TbDiscWave *wave) {
+void tb_disc_wave(const TbDiscMode *mode, const TbBesselTable *table, uint32_t m, double radius,
+                  uint32_t count, const double *r, const TbDiscWave *wave) {
   const double l = mode->lambda, k = l / radius;
   if (l == 0.0) {
     rigid_wave(m, radius, count, r, wave);
@@ -121,7 +128,12 @@ void tb_disc_wave(const TbDiscMode *mode, uint32_t m, double radius, uint32_t co
   tb_modified_bessel_pair(m, l, at_edge);
   for (uint32_t i = 0; i < count; i++) {
     double j[2], modified[2];
-    tb_bessel_pair(m, k * r[i], j);
+    if (table && m + 1u < table->orders) {
+      j[0] = tb_bessel_table_value(table, m, k * r[i]);
+      j[1] = tb_bessel_table_value(table, m + 1u, k * r[i]);
+    } else {
+      tb_bessel_pair(m, k * r[i], j);
+    }
     tb_modified_bessel_pair(m, k * r[i], modified);
     const double scale = mode->c / at_edge[0] * tb_exp(k * r[i] - l);
     const double swing = j[0], bow = scale * modified[0];

@@ -74,14 +74,15 @@ bool tb_plate_points(const TaborDrumDef *def, double top, TbArena *arena, TbPlat
 
 /* ---- forms ----------------------------------------------------------------------------------- */
 
-TbDiscWave *tb_plate_waves(const TaborDrumDef *def, uint32_t m, const TbDiscMode *modes,
-                           uint32_t mode_count, uint32_t count, const double *r, TbArena *scratch) {
+TbDiscWave *tb_plate_waves(const TaborDrumDef *def, const TbBesselTable *table, uint32_t m,
+                           const TbDiscMode *modes, uint32_t mode_count, uint32_t count,
+                           const double *r, TbArena *scratch) {
   TbDiscWave *waves = tb_arena_take(scratch, mode_count + 1u, sizeof *waves);
   double *at = tb_arena_doubles(scratch, (size_t)4 * count * (mode_count + 1u));
   if (scratch->failed) return NULL;
   for (uint32_t k = 0; k < mode_count; k++, at += (size_t)4 * count) {
     waves[k] = (TbDiscWave){at, at + count, at + 2u * count, at + 3u * count};
-    tb_disc_wave(&modes[k], m, def->shell.radius, count, r, &waves[k]);
+    tb_disc_wave(&modes[k], table, m, def->shell.radius, count, r, &waves[k]);
   }
   return waves;
 }
@@ -200,22 +201,23 @@ static bool take_room(TbArena *scratch, TbPlateForms *forms) {
   return !scratch->failed;
 }
 
-TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                           double top, double stress_top, uint32_t room, TbArena *scratch,
-                           TbPlateForms *forms) {
+TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points,
+                           const TbBesselTable *table, uint32_t m, double top, double stress_top,
+                           uint32_t room, TbArena *scratch, TbPlateForms *forms) {
   forms->modes = tb_arena_take(scratch, room, sizeof *forms->modes);
   forms->stresses = tb_arena_take(scratch, room, sizeof *forms->stresses);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
   const double nu = def->plate.poisson_ratio;
   forms->count = tb_disc_modes(TB_DISC_FREE, m, nu, top, forms->modes, room);
   forms->stress_count = tb_disc_modes(TB_DISC_CLAMPED, m, nu, stress_top, forms->stresses, room);
-  const Order order = {.def = def,
-                       .points = points,
-                       .azimuth = m ? PI : 2.0 * PI,
-                       .deflections = tb_plate_waves(def, m, forms->modes, forms->count,
-                                                     points->count, points->r, scratch),
-                       .stresses = tb_plate_waves(def, m, forms->stresses, forms->stress_count,
-                                                  points->count, points->r, scratch)};
+  const Order order = {
+    .def = def,
+    .points = points,
+    .azimuth = m ? PI : 2.0 * PI,
+    .deflections =
+      tb_plate_waves(def, table, m, forms->modes, forms->count, points->count, points->r, scratch),
+    .stresses = tb_plate_waves(def, table, m, forms->stresses, forms->stress_count, points->count,
+                               points->r, scratch)};
   if (!take_room(scratch, forms)) return TABOR_ERROR_MEMORY;
   fill_deflections(&order, forms);
   fill_stresses(&order, forms);

@@ -49,12 +49,13 @@ typedef struct TbPlateForms {
 
 /* Finds them for deflections up to lambda = `top` and functions of stress up to `stress_top`, at
  * most `room` of either. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
-TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points, uint32_t m,
-                           double top, double stress_top, uint32_t room, TbArena *scratch,
-                           TbPlateForms *forms);
+TaborStatus tb_plate_forms(const TaborDrumDef *def, const TbPlatePoints *points,
+                           const TbBesselTable *table, uint32_t m, double top, double stress_top,
+                           uint32_t room, TbArena *scratch, TbPlateForms *forms);
 
 /* Waves of several modes of order m at r[count]: one TbDiscWave each, or NULL if memory ran out. */
-TbDiscWave *tb_plate_waves(const TaborDrumDef *def, uint32_t m, const TbDiscMode *modes,
-                           uint32_t mode_count, uint32_t count, const double *r, TbArena *scratch);
+TbDiscWave *tb_plate_waves(const TaborDrumDef *def, const TbBesselTable *table, uint32_t m,
+                           const TbDiscMode *modes, uint32_t mode_count, uint32_t count,
+                           const double *r, TbArena *scratch);
 
 #endif

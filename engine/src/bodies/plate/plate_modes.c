@@ -128,8 +128,8 @@ static TaborStatus prepare_work(Work *w, TbArena *scratch) {
   const uint32_t m = w->air->m, room = w->air->count + 2u;
   const double stressed =
     tb_plate_is_flat(&def->plate) ? tb_plate_stress_top(shared->coupled) : shared->top;
-  const TaborStatus status =
-    tb_plate_forms(def, &shared->points, m, shared->top, stressed, room, scratch, &w->forms);
+  const TaborStatus status = tb_plate_forms(def, &shared->points, w->air->table, m, shared->top,
+                                            stressed, room, scratch, &w->forms);
   if (status != TABOR_OK) return status;
   w->count = w->forms.count;
   w->y = tb_arena_doubles(scratch, (size_t)(w->count + 1u) * w->air->count);
@@ -298,7 +298,7 @@ static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scr
   status = solve(&w, scratch, squares, vectors);
   if (status == TABOR_OK) status = finish_modes(&w, arena, squares, vectors, order, modes, room);
   if (status != TABOR_OK || air->m >= w.shared->membrane->order_count) return status;
-  return tb_plate_stress_order(w.shared->def, w.shared->coupled, air->m, &w.forms,
+  return tb_plate_stress_order(w.shared->def, air->table, w.shared->coupled, air->m, &w.forms,
                                coupled_modes(&w, modes, order->mode_count), vectors, arena, scratch,
                                w.shared->membrane);
 }

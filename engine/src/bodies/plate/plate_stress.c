@@ -104,19 +104,19 @@ static TaborStatus fill_stresses(const TaborDrumDef *def, double lambda, const T
   return TABOR_OK;
 }
 
-TaborStatus tb_plate_stress_order(const TaborDrumDef *def, double lambda, uint32_t m,
-                                  const TbPlateForms *forms, uint32_t count,
-                                  const double *amplitudes, TbArena *arena, TbArena *scratch,
-                                  TbMembrane *membrane) {
+TaborStatus tb_plate_stress_order(const TaborDrumDef *def, const TbBesselTable *table,
+                                  double lambda, uint32_t m, const TbPlateForms *forms,
+                                  uint32_t count, const double *amplitudes, TbArena *arena,
+                                  TbArena *scratch, TbMembrane *membrane) {
   const size_t n = forms->stress_count, points = membrane->points;
   TbMembraneOrder *order = &membrane->orders[m];
   order->modes = count;
   order->curvature = tb_arena_doubles(arena, 3u * points * count + 1u);
   order->stress = tb_arena_doubles(arena, n * points + 1u);
   order->rise = tb_arena_doubles(arena, n * count + 1u);
-  const TbDiscWave *deflections =
-    tb_plate_waves(def, m, forms->modes, forms->count, membrane->points, membrane->r, scratch);
-  const TbDiscWave *stresses = tb_plate_waves(def, m, forms->stresses, forms->stress_count,
+  const TbDiscWave *deflections = tb_plate_waves(def, table, m, forms->modes, forms->count,
+                                                 membrane->points, membrane->r, scratch);
+  const TbDiscWave *stresses = tb_plate_waves(def, table, m, forms->stresses, forms->stress_count,
                                               membrane->points, membrane->r, scratch);
   if (arena->failed || scratch->failed) return TABOR_ERROR_MEMORY;
   fill_curvature(membrane, forms, deflections, amplitudes, order);

@@ -24,9 +24,9 @@ double tb_plate_stress_top(double lambda);
 
 /* Fills the tables of order m for `count` modes, amplitudes[count][forms->count] of the disc's
  * modes in them. Returns TABOR_ERROR_MEMORY or TABOR_ERROR_NUMERICS on failure. */
-TaborStatus tb_plate_stress_order(const TaborDrumDef *def, double lambda, uint32_t m,
-                                  const TbPlateForms *forms, uint32_t count,
-                                  const double *amplitudes, TbArena *arena, TbArena *scratch,
-                                  TbMembrane *membrane);
+TaborStatus tb_plate_stress_order(const TaborDrumDef *def, const TbBesselTable *table,
+                                  double lambda, uint32_t m, const TbPlateForms *forms,
+                                  uint32_t count, const double *amplitudes, TbArena *arena,
+                                  TbArena *scratch, TbMembrane *membrane);
 
 #endif

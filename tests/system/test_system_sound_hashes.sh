@@ -10,7 +10,7 @@ program=$1 file=$2
 
 failed=0
 for quality in draft live studio reference; do
-  expected=$(grep "^$quality " "$file") || expected="no line"
+  expected=$(grep -E "^$quality(-cymbals)? " "$file") || expected="no line"
   got=$("$program" summary "$quality")
   [ "$got" = "$expected" ] && continue
   echo "FAILED: $quality: expected '$expected', got '$got'"

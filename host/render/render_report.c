@@ -46,10 +46,11 @@ static void warn_of_drops(const OfflineDrops *drops) {
   }
 }
 
-/* Drums that a song changes to may have other shells. */
+/* Drums that a song changes to may have other shells; a plate, which has none, sounds instead. */
 static void warn_of_rims(const RenderRequest *request) {
   unsigned long long strokes = 0;
   if (request->kit || request->song.presets > 0 || request->def.shell.mass > 0.0) return;
+  if (request->def.body.kind == TABOR_BODY_PLATE) return;
   for (size_t i = 0; i < request->strokes.count; i++) {
     const TaborEvent *const event = &request->strokes.events[i];
     const bool on_rim =

@@ -844,7 +844,7 @@ typedef enum TaborModePart {
   TABOR_PART_PLATE     /**< a plate */
 } TaborModePart;
 
-/** One mode of the heads with their air, hoop and shell. */
+/** One mode of the heads with their air, hoop and shell, or of a plate with its air. */
 typedef struct TaborModeInfo {
   uint32_t m; /**< nodal diameters of the Bessel function that moves most */
   uint32_t
@@ -1016,7 +1016,7 @@ typedef struct TaborLedger {
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
   double stored; /**< above the rest state, strikers in flight included */
-  /** In the heads' material; and what the low modes of a closed drum lose to the air beyond what
+  /** In the heads' material, or in a plate and its mount; and what the low modes of a closed drum lose to the air beyond what
    * `radiated` has of them, a few per cent of that, or what they lose less. */
   double head_loss;
   double wire_loss;    /**< in the wires' material */
@@ -1026,7 +1026,7 @@ typedef struct TaborLedger {
   /** In hoop and shell; and in the enclosed air, by friction, heat conduction and absorption at its
    * walls. */
   double shell_loss;
-  /** As sound, by heads, hoop and shell: of the low modes of a closed drum what their field carries
+  /** As sound, by heads, hoop and shell, or a plate: of the low modes of a closed drum what their field carries
    * far away, of others, and while sound from outside drives the drum, what modes lose to the air.
    */
   double radiated;

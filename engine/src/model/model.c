@@ -362,7 +362,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   if (status != TABOR_OK) return status;
   if (model->body.row_count == 0) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
-                        "no mode of this head lies below the two-way bandwidth of %g Hz: it is too "
+                        "no mode of this head or plate lies below the two-way bandwidth of %g Hz: it is too "
                         "small, light or tense",
                         model->body.bandwidth);
   }

@@ -361,10 +361,11 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                                 model->step_rate));
   if (status != TABOR_OK) return status;
   if (model->body.row_count == 0) {
-    return tb_error_set(error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
-                        "no mode of this head or plate lies below the two-way bandwidth of %g Hz: it is too "
-                        "small, light or tense",
-                        model->body.bandwidth);
+    return tb_error_set(
+      error, TABOR_ERROR_RANGE, "quality.two_way_bandwidth", NULL, NAN, NAN,
+      "no mode of this head or plate lies below the two-way bandwidth of %g Hz: it is too "
+      "small, light or tense",
+      model->body.bandwidth);
   }
   if (tb_body_kind(&model->def)->all_two_way) model->top = model->body.bandwidth; /* no high band */
   relax_large(model, level);

@@ -150,7 +150,7 @@ const Knob knobs[KNOB_COUNT] = {
                  .name = "Drum",
                  .group = "drum",
                  .kind = KNOB_REBUILD,
-                 RANGE(0, 39),
+                 RANGE(0, 45),
                  .fallback = 5, /* DEFAULT_PRESET */
                  .unit = "",
                  .choices =

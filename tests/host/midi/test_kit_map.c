@@ -74,9 +74,11 @@ static void rims_of_roland_are_rimshots(void **state) {
   stands_for(58, 43, MIDI_STROKE_RIMSHOT);
   stands_for(26, 46, MIDI_STROKE_NONE);
   stands_for(22, 42, MIDI_STROKE_NONE);
-  stands_for(55, 49, MIDI_STROKE_NONE);
-  stands_for(52, 57, MIDI_STROKE_NONE);
-  stands_for(59, 51, MIDI_STROKE_NONE);
+  stands_for(49, 49, MIDI_STROKE_BOW);
+  stands_for(55, 49, MIDI_STROKE_EDGE);
+  stands_for(52, 57, MIDI_STROKE_EDGE);
+  stands_for(51, 51, MIDI_STROKE_NONE);
+  stands_for(59, 51, MIDI_STROKE_EDGE);
 }
 
 /* [YamahaDTX502] */
@@ -94,7 +96,7 @@ static void rims_of_yamaha_are_open_or_closed(void **state) {
   }
   stands_for(78, 46, MIDI_STROKE_NONE);
   stands_for(79, 42, MIDI_STROKE_NONE);
-  stands_for(52, 51, MIDI_STROKE_NONE);
+  stands_for(52, 51, MIDI_STROKE_EDGE);
 }
 
 /* [AlesisNitro] */

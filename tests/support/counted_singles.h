@@ -135,6 +135,9 @@ COUNTED_RESULT(TbResidualF, newton_residual, n,
                (n, slope, yield, weight, x, p, before, r, d))
 COUNTED(sum_scaled, (uint64_t)n *count, (uint32_t n, uint32_t count, InF f, InF const *x, OutF out),
         (n, count, f, x, out))
+COUNTED_RESULT(double, von_karman, (uint64_t)tb_von_karman_scratch(plate),
+               (const TbVonKarman *plate, InF q, OutF gradient, OutF scratch),
+               (plate, q, gradient, scratch))
 #else
 COUNTED_RESULT(TbResidual, newton_rhs, n,
                (uint32_t n, In slope, In s, In b, In p, Out weight, Out d),
@@ -222,6 +225,7 @@ static const TbKernels counting = {
   .newton_diagonal = COUNT(newton_diagonal),
   .newton_residual = COUNT(newton_residual),
   .sum_scaled = COUNT(sum_scaled),
+  .von_karman = COUNT(von_karman),
 #else
   .newton_rhs = COUNT(newton_rhs),
   .gemv_rounded = COUNT(gemv_rounded),

@@ -1016,8 +1016,9 @@ typedef struct TaborLedger {
   /** Work of parameter changes, silences, swaps and replacements, positive or negative. */
   double control;
   double stored; /**< above the rest state, strikers in flight included */
-  /** In the heads' material, or in a plate and its mount; and what the low modes of a closed drum lose to the air beyond what
-   * `radiated` has of them, a few per cent of that, or what they lose less. */
+  /** In the heads' material, or in a plate and its mount; and what the low modes of a closed drum
+   * lose to the air beyond what `radiated` has of them, a few per cent of that, or what they lose
+   * less. */
   double head_loss;
   double wire_loss;    /**< in the wires' material */
   double contact_loss; /**< Hunt-Crossley loss of wires and strikers */
@@ -1026,8 +1027,8 @@ typedef struct TaborLedger {
   /** In hoop and shell; and in the enclosed air, by friction, heat conduction and absorption at its
    * walls. */
   double shell_loss;
-  /** As sound, by heads, hoop and shell, or a plate: of the low modes of a closed drum what their field carries
-   * far away, of others, and while sound from outside drives the drum, what modes lose to the air.
+  /** As sound, by heads, hoop and shell, or a plate: of the low modes of a closed drum what their
+   * field carries far away, of others, and while sound from outside drives the drum, what modes lose to the air.
    */
   double radiated;
   double removed;   /**< energy of strikers that were taken away */

@@ -49,8 +49,8 @@ typedef struct TbDiscWave {
   double *value, *radial, *azimuthal, *twist; /* 1, 1/m^2, 1/m^2, 1/m^2 */
 } TbDiscWave;
 
-/* Finds them at r[count] > 0 [m] on a disc of this radius [m]; `table` as in bessel_table.h, or NULL.
- */
+/* Finds them at r[count] > 0 [m] on a disc of this radius [m]; `table` as in bessel_table.h, or
+ * NULL. */
 void tb_disc_wave(const TbDiscMode *mode, const TbBesselTable *table, uint32_t m, double radius,
                   uint32_t count, const double *r, const TbDiscWave *wave);
 

@@ -1028,8 +1028,8 @@ typedef struct TaborLedger {
    * walls. */
   double shell_loss;
   /** As sound, by heads, hoop and shell, or a plate: of the low modes of a closed drum what their
-   * field carries far away, of others, and while sound from outside drives the drum, what modes lose to the air.
-   */
+   * field carries far away, of others, and while sound from outside drives the drum, what modes
+   * lose to the air. */
   double radiated;
   double removed;   /**< energy of strikers that were taken away */
   double high_band; /**< stored in the one-way high band; not part of the balance */

@@ -13,11 +13,10 @@ size_t tb_state_bytes(const TaborModel *model) { return HEADER + model->layout.t
 static void *at(TbState *state, size_t offset) { return (char *)state + HEADER + offset; }
 
 static TbPhase phase_at(TbState *state, const TbLayout *layout, uint32_t index) {
-  return (TbPhase){at(state, layout->q[index]),    at(state, layout->v[index]),
-                   at(state, layout->eta[index]),  state->strikers.z[index],
-                   &state->plate.psi[index],
-                   at(state, layout->high[index]), state->strikers.truncated[index],
-                   state->strikers.bow[index]};
+  return (TbPhase){at(state, layout->q[index]),      at(state, layout->v[index]),
+                   at(state, layout->eta[index]),    state->strikers.z[index],
+                   &state->plate.psi[index],         at(state, layout->high[index]),
+                   state->strikers.truncated[index], state->strikers.bow[index]};
 }
 
 static void view_phases(TbView *view) {

@@ -90,9 +90,9 @@ static int measure(void **state) {
  * and on the edge of a thin cymbal, strokes grow by more than their speed, and the hardest ones
  * leave less room. */
 static double least_peak(const char *name) {
-  static const char *const THIN[] = {"crash-16", "crash-18", "splash-10", "china-18"};
-  for (uint32_t i = 0; i < sizeof THIN / sizeof *THIN; i++) {
-    if (strcmp(name, THIN[i]) == 0) return -17.7;
+  static const char *const CYMBALS[] = {"crash-", "ride-", "splash-", "china-"};
+  for (uint32_t i = 0; i < sizeof CYMBALS / sizeof *CYMBALS; i++) {
+    if (strncmp(name, CYMBALS[i], strlen(CYMBALS[i])) == 0) return -17.7;
   }
   if (strcmp(name, "bass-drum-22") == 0) return -16.1;
   if (strncmp(name, "bass-drum-22", 12) == 0) return -16.2;

@@ -31,7 +31,7 @@ def test_settings_of_drums_that_are_not_there():
 
 
 def test_facts(kit):
-    assert kit.drums == ("bodhran", "frame-drum", "string-bodhran", "tabor")
+    assert kit.drums == ("bodhran", "frame-drum", "string-bodhran", "tabor", "splash")
     assert kit.sample_rate == 48000
     assert kit.models["tabor"].mics[-1] == "kit"
     assert "frame-drums" in repr(kit)

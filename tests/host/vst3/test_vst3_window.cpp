@@ -249,7 +249,7 @@ static void a_click_strikes_a_drum_of_a_kit(void **) {
   window.frame.tick();
   window.click(5, 5);
   assert_true(plugin.run() == 0);
-  window.click(82, 284);
+  window.click(136, 265);
   const double peak = plugin.run();
   print_message("a click on the snare drum sounds to %.3f\n", peak);
   assert_true(peak > 1e-3);

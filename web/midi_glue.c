@@ -74,6 +74,7 @@ static WebMidiAction action_of(uint32_t drum, const TaborEvent *what) {
     action.radius = what->radius;
     action.angle = what->angle;
     action.technique = what->technique;
+    action.striker = what->striker;
   } else if (what->type == TABOR_EVENT_PARAMETER &&
              what->parameter == tabor_parameter_find("wires.strainer")->id) {
     action.kind = WEB_MIDI_STRAINER;

@@ -40,8 +40,8 @@ class Voice {
     return this.continued.copy(most);
   }
 
-  strike({ drum = 0, velocity, radius, angle, technique }) {
-    return this.engine.instrument_strike(this.instrument, drum, 0, velocity, radius, angle, technique, DRUMS_OWN);
+  strike({ drum = 0, velocity, radius, angle, technique, striker = DRUMS_OWN }) {
+    return this.engine.instrument_strike(this.instrument, drum, 0, velocity, radius, angle, technique, striker);
   }
 
   setStrainer(value) {

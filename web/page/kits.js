@@ -13,5 +13,5 @@ export const kitOf = (listed) => (listed.startsWith(PREFIX) ? listed.slice(PREFI
 /** Keys and values that a kit takes; snares are switched while it plays. */
 export const settingsOfKit = (settings) => settings.filter(([key]) => !key.startsWith("wires."));
 
-/** A note that plays a drum so, or -1. */
-export const noteOf = (drums, { drum, technique }) => drums[drum].strokes.indexOf(STROKES[technique]);
+/** The note that played a drum, or one that plays it so, or -1. */
+export const noteOf = (drums, { drum, technique, note }) => note ?? drums[drum].strokes.indexOf(STROKES[technique]);

@@ -268,11 +268,11 @@ function strike({ drum = 0, share, ...stroke }) {
 }
 
 /* `radius` is in metres. */
-function strikePlace({ drum, radius, angle, velocity, technique = 0 }) {
+function strikePlace({ drum, radius, angle, velocity, technique = 0, striker, note }) {
   const share = radius / drums()[drum].radius;
   last = { drum, share, angle, velocity };
   if (facts.drums) controls.select(facts.drums[drum]); // the drum that was struck last is the one to tune
-  sound.strike({ drum, velocity, radius, angle, technique });
+  sound.strike({ drum, velocity, radius, angle, technique, striker, note });
 }
 
 /* Where the drum's own stroke goes. */
@@ -305,7 +305,7 @@ function strikeAt(event) {
 function actByMidi(message) {
   sound.start();
   const action = facts && midi.take(message);
-  if (action?.kind === "stroke") strikePlace(action);
+  if (action?.kind === "stroke") strikePlace({ ...action, note: message[1] });
   if (action?.kind === "strainer") setStrainer(action.value);
 }
 

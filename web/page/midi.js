@@ -4,7 +4,7 @@ import { change, textAt, withBytes, withText } from "./engine.js";
 import { kitOf } from "./kits.js";
 
 const KINDS = [null, "stroke", "strainer"]; // WebMidiKind
-const NUMBERS = 7; // of WebMidiAction
+const NUMBERS = 8; // of WebMidiAction
 const NO_MEMORY = "there is not enough memory";
 
 /** Plays MIDI on the definition of a drum or a kit. It makes no sound. */
@@ -32,8 +32,8 @@ export class MidiMap {
   }
 
   #actionAt(address) {
-    const [kind, drum, value, radius, angle, technique, frame] = new Float64Array(this.#engine.memory.buffer, address, NUMBERS);
-    if (KINDS[kind] === "stroke") return { kind: "stroke", drum, velocity: value, radius, angle, technique, frame };
+    const [kind, drum, value, radius, angle, technique, frame, striker] = new Float64Array(this.#engine.memory.buffer, address, NUMBERS);
+    if (KINDS[kind] === "stroke") return { kind: "stroke", drum, velocity: value, radius, angle, technique, striker, frame };
     return KINDS[kind] === "strainer" ? { kind: "strainer", value, frame } : null;
   }
 

@@ -5,6 +5,7 @@
 #include "heads/von_karman.h"
 #include "model/model.h"
 #include "physics.h"
+#include "step/state_check.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -330,6 +331,29 @@ static void hard_strokes_bloom(void **state) {
   assert_true(hard[1] > 10.0 * soft[1]);
 }
 
+/* A saved state whose plate cannot be is refused. */
+static void a_state_that_cannot_be_is_refused(void **state) {
+  (void)state;
+  const TaborDrumDef def = crash_def();
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  TaborDrum *drum = physics_drum(model);
+  const TaborEvent stroke = {
+    .type = TABOR_EVENT_STRIKE, .velocity = 4.0, .radius = def.strike.radius};
+  tabor_drum_process(drum, &stroke, 1, NULL, 480);
+  const TbPlateState sane = drum->state->plate;
+  assert_true(tb_state_check(model, drum->state));
+  drum->state->plate.part = 1.5;
+  assert_false(tb_state_check(model, drum->state));
+  drum->state->plate = sane;
+  drum->state->plate.shift = -1.0;
+  assert_false(tb_state_check(model, drum->state));
+  drum->state->plate = sane;
+  drum->state->plate.psi[1] = NAN;
+  assert_false(tb_state_check(model, drum->state));
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(the_kernel_finds_the_potential),
@@ -338,6 +362,7 @@ int main(void) {
     cmocka_unit_test(one_mode_hardens_along_its_backbone),
     cmocka_unit_test(the_energy_account_closes),
     cmocka_unit_test(hard_strokes_bloom),
+    cmocka_unit_test(a_state_that_cannot_be_is_refused),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

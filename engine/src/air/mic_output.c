@@ -206,7 +206,9 @@ void tb_mic_output(TbView *view, uint32_t heard, bool unchanged, double *pressur
   const uint32_t first = tb_first_heard(heard);
   TB_STAGE(MICS);
   for (uint32_t mic = 0; mic < view->model->def.mic_count; mic++) {
-    if ((heard & ~state->mics.heard) >> mic & 1u) begin_hearing(view, mic);
+    if (!((heard & ~state->mics.heard) >> mic & 1u)) continue;
+    begin_hearing(view, mic);
+    state->mics.kick[mic] = 0.0;
   }
   state->mics.heard = heard;
   TB_STAGE(HIGH);

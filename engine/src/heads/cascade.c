@@ -12,14 +12,9 @@ static const double MOST_PASSED = 0.15;  /* of a band's energy at once */
 static const double TURNS = 20.0;        /* turns of a mode while its energy comes in once */
 static const uint64_t SEED = 0x63617363; /* of the signs */
 
-static double energy_of(const TbView *view, uint32_t mode) {
-  return 0.5 * tb_pole_energy(view->model->step_rate, view->model->modes.stiffness[mode],
-                              view->now.q[mode], view->last.q[mode]);
-}
-
 static double energy_of_list(const TbView *view, const uint32_t *mode, uint32_t count) {
   double sum = 0.0;
-  for (uint32_t i = 0; i < count; i++) sum += energy_of(view, mode[i]);
+  for (uint32_t i = 0; i < count; i++) sum += tb_mode_energy(view, mode[i]);
   return sum > 0.0 ? sum : 0.0;
 }
 
@@ -92,9 +87,7 @@ static void take(TbView *view, uint32_t band, double energy, double share) {
 
 /* ---- all bands ------------------------------------------------------------------------------- */
 
-bool tb_cascade_acts(const TbView *view) {
-  return view->model->cascade.bands > 1 && view->state->plate.part > 0.0;
-}
+bool tb_cascade_acts(const TbView *view) { return view->model->cascade.bands > 1; }
 
 void tb_cascade_pass(TbView *view, uint32_t steps) {
   const TbCascade *cascade = &view->model->cascade;

@@ -39,16 +39,10 @@ bool tb_moving_wake(TbView *view, const double *shape) {
 
 /* ---- coming to rest -------------------------------------------------------------------------- */
 
-static double energy_of(const TbView *view, uint32_t mode) {
-  const TaborModel *model = view->model;
-  return 0.5 * tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
-                              view->last.q[mode]);
-}
-
 static bool is_quiet(const TbView *view, uint32_t from) {
   const double most = view->model->resting.most[from / 8u];
   for (uint32_t i = from; i < from + 8u; i++) {
-    if (fabs(energy_of(view, i)) > most) return false;
+    if (fabs(tb_mode_energy(view, i)) > most) return false;
   }
   return true;
 }
@@ -65,7 +59,8 @@ static uint32_t left_of(const TbView *view, uint32_t part) {
 static void stop(TbView *view, uint32_t from, uint32_t end) {
   double *const arrays[] = {view->now.q, view->last.q, view->next.q};
   const size_t bytes = (end - from) * sizeof(double);
-  for (uint32_t i = from; i < end; i++) view->state->ledger.sums.head_loss += energy_of(view, i);
+  for (uint32_t i = from; i < end; i++)
+    view->state->ledger.sums.head_loss += tb_mode_energy(view, i);
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) memset(arrays[i] + from, 0, bytes);
   for (uint32_t h = 0; h < view->model->stretch.count; h++) {
     memset(view->stretch.pull[h] + from, 0, bytes);

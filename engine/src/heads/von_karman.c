@@ -48,15 +48,12 @@ static double energy(const TbView *view, const TbPhase *next, const TbPhase *now
 }
 
 static double modes_energy(const TbView *view) {
-  const TaborModel *model = view->model;
+  const TbPlateCoupling *plate = &view->model->plate;
   double sum = 0.0;
-  for (uint32_t i = 0; i < 2u * model->plate.tables.pairs; i++) {
-    const uint32_t mode = model->plate.mode[i];
-    if (mode == TB_NO_MODE) continue;
-    sum += tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
-                          view->last.q[mode]);
+  for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
+    if (plate->mode[i] != TB_NO_MODE) sum += tb_mode_energy(view, plate->mode[i]);
   }
-  return 0.5 * sum;
+  return sum;
 }
 
 static double sticks_energy(const TbView *view) {
@@ -155,8 +152,6 @@ const TbStretchLaw tb_von_karman = {.begin = begin, .shift = shift, .end = end, 
 /* ---- setting psi right ----------------------------------------------------------------------- */
 
 double tb_von_karman_excess(const TbView *view) {
-  const TbPlateState *plate = &view->state->plate;
-  if (view->model->plate.tables.pairs == 0 || plate->part == 0.0) return 0.0;
   if (view->state->clock % LOOK != 0) return 0.0;
   const double right = coupled_energy(view, view->now.q), most = MOST_RELAXED * modes_energy(view);
   return within(energy(view, &view->now, &view->last) - right, most);

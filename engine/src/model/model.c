@@ -92,7 +92,9 @@ static TaborStatus prepare_contacts(TaborModel *model, TbArena *scratch) {
 
 static TaborStatus prepare_stretch(TaborModel *model, TbArena *scratch) {
   (void)scratch;
-  return tb_stretch_prepare(model);
+  TaborStatus status = tb_plate_coupling_prepare(model);
+  if (status == TABOR_OK) status = tb_stretch_prepare(model);
+  return status == TABOR_OK ? tb_cascade_prepare(model) : status;
 }
 
 static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {

@@ -15,7 +15,7 @@ typedef struct TbPlateCoupling {
   double quiet;       /* modes that hold less are not coupled [J] */
 } TbPlateCoupling;
 
-/* Fills model->plate and, for a plate that bends far, model->stretch. */
+/* Fills model->plate; model->stretch, which follows it, and model->cascade read it. */
 TaborStatus tb_plate_coupling_prepare(TaborModel *model);
 
 #endif

@@ -3,8 +3,6 @@
 
 #include <math.h>
 
-#include "model/plate_coupling.h"
-
 static const double PI = 3.14159265358979323846;
 
 /* Modes up to this many times the lowest frequency count, at every quality: at live these are all
@@ -121,12 +119,10 @@ static TaborStatus prepare_plate(TaborModel *model) {
   prepare_parts(model, all);
   for (uint32_t h = 0; h < TB_HEADS; h++) list_felt(stretch, &model->modes, h);
   stretch->gain[0] = tb_arena_doubles(&model->arena, model->modes.padded);
-  return stretch->gain[0] ? tb_cascade_prepare(model) : TABOR_ERROR_MEMORY;
+  return stretch->gain[0] ? TABOR_OK : TABOR_ERROR_MEMORY;
 }
 
 TaborStatus tb_stretch_prepare(TaborModel *model) {
-  const TaborStatus status = tb_plate_coupling_prepare(model);
-  if (status != TABOR_OK) return status;
   if (model->plate.tables.pairs > 0) return prepare_plate(model);
   const TbStretchExtent usual = {TOP, tb_mixing_limits(model)};
   return tb_stretch_prepare_to(model, usual);

@@ -93,6 +93,13 @@ static inline void tb_view_lift(TbView *view, bool lifted) {
   view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
 }
 
+/* Energy of a mode between the last two instants [J]. */
+static inline double tb_mode_energy(const TbView *view, uint32_t mode) {
+  const TaborModel *model = view->model;
+  return 0.5 * tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
+                              view->last.q[mode]);
+}
+
 static inline TbSlot *tb_slot(const TbView *view, uint32_t slot) {
   return &view->state->strikers.slots[slot];
 }

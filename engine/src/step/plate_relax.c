@@ -45,7 +45,7 @@ static void wake_all(TbView *view) {
 }
 
 void tb_plate_relax(TbView *view, uint32_t steps) {
-  if (is_struck(view)) return;
+  if (view->state->plate.part == 0.0 || is_struck(view)) return;
   const double excess = tb_von_karman_excess(view);
   const bool cascades = tb_cascade_acts(view);
   if (excess == 0.0 && !cascades) return;

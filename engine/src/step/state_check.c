@@ -195,7 +195,14 @@ static bool microphones(const TaborModel *model, const TbState *state) {
   return all_within(NUMBERS(state->mics.treble), MOST) &&
          all_within(NUMBERS(state->mics.halved), MOST) &&
          all_within(NUMBERS(state->mics.response), MOST) &&
-         all_within(NUMBERS(state->mics.ears), MOST);
+         all_within(NUMBERS(state->mics.ears), MOST) && all_within(NUMBERS(state->mics.kick), MOST);
+}
+
+/* Its energy, psi^2 - C, may be negative. */
+static bool plate(const TbPlateState *plate) {
+  return all_within(NUMBERS(plate->psi), MOST) && plate->shift >= 0.0 &&
+         within(plate->shift, MOST) && within(plate->energy, MOST) && plate->part >= 0.0 &&
+         plate->part <= 1.0;
 }
 
 static bool numbers(const TbState *state) {
@@ -214,8 +221,8 @@ static bool numbers(const TbState *state) {
 
 static bool head(const TaborModel *model, const TbState *state) {
   return flags(model, state) && moving(model, state) && microphones(model, state) &&
-         numbers(state) && tb_live_params_in_range(state) && slots(model, state) &&
-         brushes(state) && plucks(model, state);
+         numbers(state) && plate(&state->plate) && tb_live_params_in_range(state) &&
+         slots(model, state) && brushes(state) && plucks(model, state);
 }
 
 /* ---- arrays --------------------------------------------------------------------------------- */

@@ -3,7 +3,6 @@
 
 static void add_bow(const TaborPlateDef *plate, double radius, double r, TbPlateProfile *profile) {
   const double x = r / radius;
-  profile->rise += plate->bow * (1.0 - x * x);
   profile->slope -= 2.0 * plate->bow * x / radius;
   profile->curvature -= 2.0 * plate->bow / (radius * radius);
 }
@@ -12,7 +11,6 @@ static void add_bell(const TaborPlateDef *plate, double r, TbPlateProfile *profi
   const double a = plate->bell_radius, height = plate->bell_height;
   if (!(r < a)) return;
   const double x = r / a, inside = 1.0 - x * x;
-  profile->rise += height * inside * inside;
   profile->slope -= 4.0 * height * x * inside / a;
   profile->curvature += height * (12.0 * x * x - 4.0) / (a * a);
 }
@@ -22,7 +20,6 @@ static void add_flange(const TaborPlateDef *plate, double radius, double r,
   const double length = plate->flange_width, from = radius - length;
   if (!(r > from)) return;
   const double u = (r - from) / length, slope = plate->flange_slope;
-  profile->rise += slope * length * u * u * u * (1.0 - 0.5 * u);
   profile->slope += slope * u * u * (3.0 - 2.0 * u);
   profile->curvature += slope * 6.0 * u * (1.0 - u) / length;
 }

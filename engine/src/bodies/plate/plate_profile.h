@@ -5,8 +5,8 @@
  *   w0(r) = b (1 - r^2/R^2)                               bow
  *         + H (1 - r^2/a^2)^2           for r < a         bell
  *         + S L (u^3 - u^4/2)           for r > R - L     flange; u = (r - (R - L))/L
- * upward. The bell meets the bow without a step of its slope, and so does the flange, whose slope
- * grows to S at the edge. Audio-safe. */
+ * upward; its slope and its curvature count. The bell meets the bow without a step of its slope,
+ * and so does the flange, whose slope grows to S at the edge. Set-up only. */
 #ifndef TB_PLATE_PROFILE_H
 #define TB_PLATE_PROFILE_H
 
@@ -16,7 +16,6 @@
 
 typedef struct TbPlateProfile {
   double thickness; /* h [m] */
-  double rise;      /* w0 [m] */
   double slope;     /* dw0/dr */
   double curvature; /* d2w0/dr2 [1/m] */
 } TbPlateProfile;

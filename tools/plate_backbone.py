@@ -7,6 +7,11 @@ edge [ThomasTouzeChaigne2005]. Of w = f(r) cos 2t, S has a part that is the same
 energy is a 100,000th of that. For S_0 the equation is integrated twice along the radius: G = lap F from (r G')' = -r S_0, with a constant
 for which Int r G dr = 0. The disc then stores V = 1/2 Int G^2 dA/(E h); R = E h = rho h = 1 below.
 """
+import argparse
+from python_packages import require
+
+argparse.ArgumentParser(description="Prints how a flat disc with a free edge hardens as its mode (2,0).").parse_args()
+require("plate_backbone.py", "numpy", "scipy")
 import numpy as np
 from scipy.integrate import cumulative_trapezoid, trapezoid
 from scipy.optimize import brentq

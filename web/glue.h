@@ -51,7 +51,7 @@ typedef struct WebMidiAction {
   double value;                    /* speed of the stick [m/s]; position of the strainer */
   double radius, angle, technique; /* of a stroke [m], [deg] */
   double frame;                    /* of a file's event, from its beginning */
-  double striker; /* of a stroke */
+  double striker;                  /* of a stroke */
 } WebMidiAction;
 
 typedef enum WebMidiKind { WEB_MIDI_NOTHING, WEB_MIDI_STROKE, WEB_MIDI_STRAINER } WebMidiKind;

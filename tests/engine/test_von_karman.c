@@ -6,6 +6,7 @@
 #include "model/model.h"
 #include "physics.h"
 #include "step/state_check.h"
+#include "windows_names.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -47,15 +48,15 @@ typedef struct Workspace {
 
 static Workspace workspace_of(const TbPlateCoupling *plate) {
   const size_t pairs = tb_pad(2u * plate->tables.pairs) * sizeof(float);
-  return (Workspace){aligned_alloc(64, (pairs + 63u) / 64u * 64u),
-                     aligned_alloc(64, (pairs + 63u) / 64u * 64u),
-                     aligned_alloc(64, tb_von_karman_scratch(&plate->tables) * sizeof(float))};
+  const size_t scratch = tb_von_karman_scratch(&plate->tables) * sizeof(float);
+  return (Workspace){aligned_memory(64, pairs), aligned_memory(64, pairs),
+                     aligned_memory(64, scratch)};
 }
 
 static void free_workspace(Workspace w) {
-  free(w.q);
-  free(w.gradient);
-  free(w.scratch);
+  free_aligned_memory(w.q);
+  free_aligned_memory(w.gradient);
+  free_aligned_memory(w.scratch);
 }
 
 /* V by the tables' own definition, in double and without any Fourier transform. */

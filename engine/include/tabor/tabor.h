@@ -173,8 +173,9 @@ typedef enum TaborTechnique {
 
 /** The kinds of body. */
 typedef enum TaborBodyKind {
-  TABOR_BODY_DRUM, /**< a head or two on a shell, as [shell], [batter] and [resonant] say */
-  TABOR_BODY_PLATE /**< a round plate with a free edge, held in its middle: a disc, a cymbal */
+  TABOR_BODY_DRUM,  /**< a head or two on a shell, as [shell], [batter] and [resonant] say */
+  TABOR_BODY_PLATE, /**< a round plate with a free edge, held in its middle: a disc, a cymbal */
+  TABOR_BODY_HIHAT  /**< two plates, edge to edge, with a pedal */
 } TaborBodyKind;
 
 /** The body. */
@@ -216,6 +217,25 @@ typedef struct TaborPlateDef {
   double large_deflections; /**< part of the coupling of modes by stress in the middle surface, 0
                                to 1, default 1 as physics has it */
 } TaborPlateDef;
+
+/**
+ * A hi-hat: the plate of [plate] above that of [bottom], both of the radius R, on one rod. Strokes
+ * meet the upper one. The foot of the spring on which it bounces (heave_frequency) moves with the
+ * pedal, so that at rest the edges would be `opening` apart where the gap is least, or pressed
+ * together. Where they meet, each length ds of the edge bears K eta^alpha (1 + lambda eta_t) ds, eta
+ * the penetration.
+ */
+typedef struct TaborHihatDef {
+  double opening;           /**< between the edges [m], -0.01 to 0.03, default 0.008; live */
+  double speed;             /**< of the pedal's rod at most [m/s], 0.01 to 10, default 1.5 */
+  double tilt;              /**< the widest gap less the least [m], 0 to 0.02, default 0.0016 */
+  double unevenness;        /**< of the edges, at most [m], 0 to 0.005, default 1e-4 */
+  uint32_t seed;            /**< draws the unevenness, default 1 */
+  uint32_t points;          /**< around the edges, where they may meet, 4 to 64, default 16 */
+  double contact_stiffness; /**< K [N/m^(1 + alpha)], 1e4 to 1e12, default 4e8 */
+  double contact_exponent;  /**< alpha, 1 to 3, default 1.5 */
+  double contact_loss;      /**< lambda [s/m], 0 to 50, default 5 */
+} TaborHihatDef;
 
 /** The shell, which holds the heads. */
 typedef struct TaborShellDef {
@@ -525,7 +545,9 @@ typedef struct TaborDrumDef {
   TaborHoopDef hoop; /**< [hoop] */
   TaborRoomDef room; /**< [room] */
   TaborBodyDef body; /**< [body] */
-  TaborPlateDef plate; /**< [plate]; without effect and keys unless body.kind is plate */
+  TaborPlateDef plate;  /**< [plate]; without effect and keys if body.kind is drum */
+  TaborPlateDef bottom; /**< [bottom]: the lower plate of a hi-hat, which is linear */
+  TaborHihatDef hihat;  /**< [hihat]; both without effect and keys unless body.kind is hihat */
 } TaborDrumDef;
 
 /** Type of a parameter's value. */
@@ -841,7 +863,8 @@ typedef enum TaborModePart {
   TABOR_PART_BOTH,     /**< both heads */
   TABOR_PART_CAVITY,   /**< the air between them, with over half of all kinetic energy */
   TABOR_PART_RIM,      /**< hoop and shell, with over half of all kinetic energy */
-  TABOR_PART_PLATE     /**< a plate */
+  TABOR_PART_PLATE,    /**< a plate; of a hi-hat, the upper one */
+  TABOR_PART_BOTTOM    /**< the lower plate of a hi-hat */
 } TaborModePart;
 
 /** One mode of the heads with their air, hoop and shell, or of a plate with its air. */

@@ -114,7 +114,7 @@ double tb_body_slope_square(const TbBody *body, uint32_t which, const TbBodyMode
     const double slope = order->zeros[i] * tb_bessel_j(mode->m + 1, order->zeros[i]);
     sum += v[i] * v[i] * slope * slope;
   }
-  const double edge = order->edge ? order->edge[mode->place] : 0.0;
+  const double edge = order->edge[which] ? order->edge[which][mode->place] : 0.0;
   return 0.5 * azimuth * sum + azimuth * mode->m * edge * edge;
 }
 
@@ -166,12 +166,13 @@ void tb_body_radial(const TbBody *body, uint32_t which, double r, const double *
   }
 }
 
-void tb_body_add_lift(const TbBody *body, double r, double *radial) {
+void tb_body_add_lift(const TbBody *body, uint32_t which, double r, double *radial) {
   double power = 1.0; /* (r/R)^m */
   for (uint32_t m = 0; m < body->order_count; m++, power *= r / body->radius) {
     const TbBodyOrder *order = &body->orders[m];
-    for (uint32_t k = 0; order->edge && k < order->mode_count; k++) {
-      radial[order->rows[k]] += order->edge[k] * power;
+    const double *edge = order->edge[which];
+    for (uint32_t k = 0; edge && k < order->mode_count; k++) {
+      radial[order->rows[k]] += edge[k] * power;
     }
   }
 }

@@ -4,7 +4,7 @@
  * A body has one or two surfaces that strikers, wires and air touch. In the angular order m, mode k
  * moves surface s upward as
  *   w = (Sum_i v_i J_m(z_i r/R) + e (r/R)^m) {cos, sin}(m theta),  J_m(z_i) = 0,
- * v_i = vectors[s][k][i], e = edge[k] the motion of the edge. The sum vanishes at the edge, and its
+ * v_i = vectors[s][k][i], e = edge[s][k] the motion of the edge. The sum vanishes at the edge, and its
  * coefficients fall as z_i^-3 where w is smooth, so that both together hold any edge. Normal modes
  * are scaled to unit modal mass [1 kg]; a shape value has unit 1.
  *
@@ -16,7 +16,7 @@
 #include "air_model/far_field.h"
 #include "bodies/membrane.h"
 
-/* Surfaces of a body, at most: of a drum its two heads. */
+/* Surfaces of a body, at most: of a drum its two heads, of a hi-hat its two plates. */
 #define TB_HEADS 2u
 /* Bessel functions of one angular order. Their zeros stay below 248. */
 #define TB_MAX_ZEROS 96u
@@ -28,8 +28,9 @@ typedef struct TbBodyOrder {
   uint32_t m, zero_count, mode_count;
   uint32_t first_zero; /* index of zeros[0] among all zeros of the body */
   double *zeros, *vectors[TB_HEADS];
-  double *edge, *hoop; /* motion of the edge, and of a hoop around it; NULL: at rest */
-  uint32_t *rows;      /* row of each mode in TbBody.modes, sorted by frequency over all orders */
+  double *edge[TB_HEADS]; /* motion of the edge; NULL: at rest, as for the next */
+  double *hoop;           /* of a hoop around it */
+  uint32_t *rows; /* row of each mode in TbBody.modes, sorted by frequency over all orders */
 } TbBodyOrder;
 
 /* A normal mode. Its sine copy for m > 0 has the same row of the list. */
@@ -43,6 +44,7 @@ typedef struct TbBodyMode {
   double split;      /* by which part its copies lie apart: see tb_body_omega() */
   double decay_rate; /* of the amplitude [1/s]; includes the next two */
   double radiation_rate, shell_rate; /* to the air outside; at the walls of a cavity and in a rim */
+  double rod; /* force on it by the foot of a plate's mount that rises [N/(m kg^1/2)] */
   double fields[2 * TABOR_MAX_MICS]; /* (re, im) of the air's I at each microphone */
   bool has_far;                      /* far_field.h: */
   double far[2 * TB_FAR_NODES];      /* (re, im) of F */
@@ -154,7 +156,7 @@ void tb_body_radial(const TbBody *body, uint32_t which, double r, const double *
 
 /* Adds the lift: radial[] is then the surface's whole motion. A mean over a disc is its value in
  * the middle. Audio-safe. */
-void tb_body_add_lift(const TbBody *body, double r, double *radial);
+void tb_body_add_lift(const TbBody *body, uint32_t which, double r, double *radial);
 
 /* Motion of the hoop, radial[row_count]. Audio-safe. */
 void tb_body_hoop(const TbBody *body, double *radial);

@@ -88,7 +88,8 @@ uint32_t tb_group_count(const TaborDrumDef *def, TbGroup group) {
   const uint32_t capacity = tb_group_capacity(group);
   uint32_t count = capacity;
   if (group == TB_GROUP_RESONANT) count = def->two_headed;
-  if (group == TB_GROUP_PLATE) count = def->body.kind == TABOR_BODY_PLATE;
+  if (group == TB_GROUP_PLATE) count = def->body.kind != TABOR_BODY_DRUM;
+  if (group == TB_GROUP_HIHAT) count = def->body.kind == TABOR_BODY_HIHAT;
   if (group == TB_GROUP_STRIKER) count = def->striker_count;
   if (group == TB_GROUP_MIC) count = def->mic_count;
   return count < capacity ? count : capacity;
@@ -173,7 +174,8 @@ static bool consider_field(void *context, const TbParam *param, uint32_t element
   return true;
 }
 
-/* Keys that would give a definition what it has not got: a second head, a plate. */
+/* Keys that would give a definition what it has not got: a second head, a plate,
+ * another plate. */
 static void consider_absent(Search *search) {
   for (uint32_t i = 0; i < tb_param_count; i++) {
     const TbGroup group = tb_params[i].group;

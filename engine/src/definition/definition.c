@@ -28,8 +28,8 @@ static uint32_t add_element(TaborDrumDef *def, TbGroup group, const char *name) 
     set_defaults(def, group, 0);
     return 0;
   }
-  if (group == TB_GROUP_PLATE) {
-    def->body.kind = TABOR_BODY_PLATE;
+  if (group == TB_GROUP_PLATE || group == TB_GROUP_HIHAT) {
+    def->body.kind = group == TB_GROUP_PLATE ? TABOR_BODY_PLATE : TABOR_BODY_HIHAT;
     return 0;
   }
   const bool is_mic = group == TB_GROUP_MIC;
@@ -49,6 +49,7 @@ void tabor_drum_def_clear(TaborDrumDef *def) {
   set_defaults(def, TB_GROUP_SINGLE, 0);
   set_defaults(def, TB_GROUP_RESONANT, 0); /* for who sets two_headed by hand */
   set_defaults(def, TB_GROUP_PLATE, 0);
+  set_defaults(def, TB_GROUP_HIHAT, 0);
   for (uint32_t i = 0; i < TABOR_MAX_WIRES; i++) set_defaults(def, TB_GROUP_WIRE, i);
 }
 
@@ -220,9 +221,10 @@ static TaborStatus refuse_absent(const TaborDrumDef *def, const TbKey *parsed, c
   if (tb_group_is_array(group)) {
     return tb_refuse_name(def, group == TB_GROUP_MIC, key, parsed->name, error);
   }
-  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN, "%s: %s", key,
-                      group == TB_GROUP_PLATE ? "body.kind is not plate"
-                                              : "the drum has no resonant head");
+  const char *why = "the drum has no resonant head";
+  if (group == TB_GROUP_PLATE) why = "body.kind is not plate";
+  if (group == TB_GROUP_HIHAT) why = "body.kind is not hihat";
+  return tb_error_set(error, TABOR_ERROR_NAME, key, NULL, NAN, NAN, "%s: %s", key, why);
 }
 
 TaborStatus tabor_drum_def_get(const TaborDrumDef *def, const char *key, char *text, size_t size,

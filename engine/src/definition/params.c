@@ -25,6 +25,8 @@
   .group = TB_GROUP_RESONANT,                                                                      \
   .offset = offsetof(TaborDrumDef, resonant) + offsetof(TaborHeadDef, member)
 #define IN_PLATE(member) .group = TB_GROUP_PLATE, .offset = offsetof(TaborDrumDef, plate.member)
+#define IN_BOTTOM(member) .group = TB_GROUP_HIHAT, .offset = offsetof(TaborDrumDef, bottom.member)
+#define IN_HIHAT(member) .group = TB_GROUP_HIHAT, .offset = offsetof(TaborDrumDef, hihat.member)
 #define IN_BATTER(member) AT(batter.member)
 #define IN_WIRE(member) .group = TB_GROUP_WIRE, IN_ARRAY(wire, TaborWireDef, member)
 #define IN_STRIKER(member) .group = TB_GROUP_STRIKER, IN_ARRAY(striker, TaborStrikerDef, member)
@@ -117,6 +119,62 @@
      place(lug_seed)},                                                                             \
     LUGS((first) + TB_HEAD_LUG, section, place)
 
+/* A plate, whose parameters are numbered from `first` on. */
+#define PLATE(first, section, place)                                                               \
+  {ROW((first) + TB_PLATE_THICKNESS, section, "thickness", "m",                                    \
+       "thickness of a plate in its middle", NUMBER(1e-4, 0.02, 1e-3), LOGARITHMIC),               \
+   place(thickness)},                                                                              \
+    {ROW((first) + TB_PLATE_YOUNGS_MODULUS, section, "youngs_modulus", "Pa",                       \
+         "Young's modulus of a plate: bronze 1.05e11, steel 2e11", NUMBER(1e8, 1e12, 1.05e11),     \
+         LOGARITHMIC),                                                                             \
+     place(youngs_modulus)},                                                                       \
+    {ROW((first) + TB_PLATE_POISSON_RATIO, section, "poisson_ratio", "",                           \
+         "Poisson's ratio of a plate", NUMBER(0, 0.49, 0.34)),                                     \
+     place(poisson_ratio)},                                                                        \
+    {ROW((first) + TB_PLATE_DENSITY, section, "density", "kg/m3", "density of a plate",            \
+         NUMBER(100, 30000, 8650), LOGARITHMIC),                                                   \
+     place(density)},                                                                              \
+    {ROW((first) + TB_PLATE_DAMPING_0, section, "damping_0", "1/s",                                \
+         "loss of a plate, the same at all frequencies", NUMBER(0, 1000, 0.5)),                    \
+     place(damping_0)},                                                                            \
+    {ROW((first) + TB_PLATE_LOSS, section, "loss", "", "loss factor of a plate's bending",         \
+         NUMBER(0, 1, 1e-4)),                                                                      \
+     place(loss)},                                                                                 \
+    {ROW((first) + TB_PLATE_HEAVE_FREQUENCY, section, "heave_frequency", "Hz",                     \
+         "frequency at which a plate bounces on its mount", NUMBER(5, 200, 50), LOGARITHMIC),      \
+     place(heave_frequency)},                                                                      \
+    {ROW((first) + TB_PLATE_TILT_FREQUENCY, section, "tilt_frequency", "Hz",                       \
+         "frequency at which a plate swings on its mount", NUMBER(0.5, 50, 1.6), LOGARITHMIC),     \
+     place(tilt_frequency)},                                                                       \
+    {ROW((first) + TB_PLATE_MOUNT_DAMPING, section, "mount_damping", "",                           \
+         "of both motions, as a part of critical damping", NUMBER(0, 2, 0.15)),                    \
+     place(mount_damping)},                                                                        \
+    {ROW((first) + TB_PLATE_TAPER, section, "taper", "",                                           \
+         "thickness of a plate at its edge, in units of its middle's", NUMBER(0.2, 2, 1)),         \
+     place(taper)},                                                                                \
+    {ROW((first) + TB_PLATE_BOW, section, "bow", "m",                                              \
+         "how far a plate's middle rises over its edge, without the bell", NUMBER(0, 0.05, 0)),    \
+     place(bow)},                                                                                  \
+    {ROW((first) + TB_PLATE_BELL_RADIUS, section, "bell_radius", "m", "radius of a plate's bell",  \
+         NUMBER(0.01, 0.6, 0.055), LOGARITHMIC),                                                   \
+     place(bell_radius)},                                                                          \
+    {ROW((first) + TB_PLATE_BELL_HEIGHT, section, "bell_height", "m",                              \
+         "how far the bell rises over the bow; 0: there is none", NUMBER(0, 0.05, 0)),             \
+     place(bell_height)},                                                                          \
+    {ROW((first) + TB_PLATE_FLANGE_WIDTH, section, "flange_width", "m",                            \
+         "width of the ring at the edge that is turned up, as of a china cymbal",                  \
+         NUMBER(0.005, 0.6, 0.04), LOGARITHMIC),                                                   \
+     place(flange_width)},                                                                         \
+    {ROW((first) + TB_PLATE_FLANGE_SLOPE, section, "flange_slope", "",                             \
+         "slope at the edge that the flange adds; 0: there is none", NUMBER(0, 1, 0)),             \
+     place(flange_slope)},                                                                         \
+  {                                                                                                \
+    ROW((first) + TB_PLATE_SPLITTING, section, "splitting", "",                                    \
+        "part by which the two modes of a pair differ in frequency, at most: an uneven plate",     \
+        NUMBER(0, 0.05, 0)),                                                                       \
+      place(splitting)                                                                             \
+  }
+
 const TbParam tb_params[] = {
   {ROW(TB_PARAM_DRUM_NAME, "drum", "name", "", "what the drum is called", TEXT), SIZED(name)},
   {ROW(TB_PARAM_DRUM_COMMENT, "drum", "comment", "", "what it is, one line", TEXT), SIZED(comment)},
@@ -127,68 +185,50 @@ const TbParam tb_params[] = {
    SIZED(category), .identifier = true},
 
   {ROW(TB_PARAM_BODY_KIND, "body", "kind", "",
-       "what sounds; plate: a disc with a free edge, flat or a cymbal",
-       CHOICE("drum|plate", TABOR_BODY_DRUM)),
+       "what sounds; plate: a disc with a free edge, flat or a cymbal; hihat: two of them",
+       CHOICE("drum|plate|hihat", TABOR_BODY_DRUM)),
    AT(body.kind)},
-  {ROW(TB_PARAM_PLATE_THICKNESS, "plate", "thickness", "m", "thickness of a plate in its middle",
-       NUMBER(1e-4, 0.02, 1e-3), LOGARITHMIC),
-   IN_PLATE(thickness)},
-  {ROW(TB_PARAM_PLATE_YOUNGS_MODULUS, "plate", "youngs_modulus", "Pa",
-       "Young's modulus of a plate: bronze 1.05e11, steel 2e11", NUMBER(1e8, 1e12, 1.05e11),
-       LOGARITHMIC),
-   IN_PLATE(youngs_modulus)},
-  {ROW(TB_PARAM_PLATE_POISSON_RATIO, "plate", "poisson_ratio", "", "Poisson's ratio of a plate",
-       NUMBER(0, 0.49, 0.34)),
-   IN_PLATE(poisson_ratio)},
-  {ROW(TB_PARAM_PLATE_DENSITY, "plate", "density", "kg/m3", "density of a plate",
-       NUMBER(100, 30000, 8650), LOGARITHMIC),
-   IN_PLATE(density)},
-  {ROW(TB_PARAM_PLATE_DAMPING_0, "plate", "damping_0", "1/s",
-       "loss of a plate, the same at all frequencies", NUMBER(0, 1000, 0.5)),
-   IN_PLATE(damping_0)},
-  {ROW(TB_PARAM_PLATE_LOSS, "plate", "loss", "", "loss factor of a plate's bending",
-       NUMBER(0, 1, 1e-4)),
-   IN_PLATE(loss)},
-  {ROW(TB_PARAM_PLATE_HEAVE_FREQUENCY, "plate", "heave_frequency", "Hz",
-       "frequency at which a plate bounces on its mount", NUMBER(5, 200, 50), LOGARITHMIC),
-   IN_PLATE(heave_frequency)},
-  {ROW(TB_PARAM_PLATE_TILT_FREQUENCY, "plate", "tilt_frequency", "Hz",
-       "frequency at which a plate swings on its mount", NUMBER(0.5, 50, 1.6), LOGARITHMIC),
-   IN_PLATE(tilt_frequency)},
-  {ROW(TB_PARAM_PLATE_MOUNT_DAMPING, "plate", "mount_damping", "",
-       "of both motions, as a part of critical damping", NUMBER(0, 2, 0.15)),
-   IN_PLATE(mount_damping)},
-  {ROW(TB_PARAM_PLATE_TAPER, "plate", "taper", "",
-       "thickness of a plate at its edge, in units of its middle's", NUMBER(0.2, 2, 1)),
-   IN_PLATE(taper)},
-  {ROW(TB_PARAM_PLATE_BOW, "plate", "bow", "m",
-       "how far a plate's middle rises over its edge, without the bell", NUMBER(0, 0.05, 0)),
-   IN_PLATE(bow)},
-  {ROW(TB_PARAM_PLATE_BELL_RADIUS, "plate", "bell_radius", "m", "radius of a plate's bell",
-       NUMBER(0.01, 0.6, 0.055), LOGARITHMIC),
-   IN_PLATE(bell_radius)},
-  {ROW(TB_PARAM_PLATE_BELL_HEIGHT, "plate", "bell_height", "m",
-       "how far the bell rises over the bow; 0: there is none", NUMBER(0, 0.05, 0)),
-   IN_PLATE(bell_height)},
-  {ROW(TB_PARAM_PLATE_FLANGE_WIDTH, "plate", "flange_width", "m",
-       "width of the ring at the edge that is turned up, as of a china cymbal",
-       NUMBER(0.005, 0.6, 0.04), LOGARITHMIC),
-   IN_PLATE(flange_width)},
-  {ROW(TB_PARAM_PLATE_FLANGE_SLOPE, "plate", "flange_slope", "",
-       "slope at the edge that the flange adds; 0: there is none", NUMBER(0, 1, 0)),
-   IN_PLATE(flange_slope)},
-  {ROW(TB_PARAM_PLATE_SPLITTING, "plate", "splitting", "",
-       "part by which the two modes of a pair differ in frequency, at most: an uneven plate",
-       NUMBER(0, 0.05, 0)),
-   IN_PLATE(splitting)},
-  {ROW(TB_PARAM_PLATE_CASCADE, "plate", "cascade", "",
+  PLATE(TB_PARAM_PLATE, "plate", IN_PLATE),
+  {ROW(TB_PARAM_PLATE + TB_PLATE_CASCADE, "plate", "cascade", "",
        "how fast energy goes up the spectrum beyond the modes that are coupled one by one",
        NUMBER(0, 20, 2)),
    IN_PLATE(cascade)},
-  {ROW(TB_PARAM_PLATE_LARGE_DEFLECTIONS, "plate", "large_deflections", "",
+  {ROW(TB_PARAM_PLATE + TB_PLATE_LARGE_DEFLECTIONS, "plate", "large_deflections", "",
        "how much large deflections couple modes; 1: as physics has it, 0: not at all",
        NUMBER(0, 1, 1)),
    IN_PLATE(large_deflections)},
+
+  PLATE(TB_PARAM_BOTTOM, "bottom", IN_BOTTOM),
+
+  {ROW(TB_PARAM_HIHAT_OPENING, "hihat", "opening", "m",
+       "how far the pedal holds the edges apart; negative: it presses them together",
+       NUMBER(-0.01, 0.03, 0.008), LIVE),
+   IN_HIHAT(opening)},
+  {ROW(TB_PARAM_HIHAT_SPEED, "hihat", "speed", "m/s", "of the pedal's rod, at most",
+       NUMBER(0.01, 10, 1.5), LOGARITHMIC),
+   IN_HIHAT(speed)},
+  {ROW(TB_PARAM_HIHAT_TILT, "hihat", "tilt", "m",
+       "by how much the gap between the edges is wider on one side: the lower cymbal leans",
+       NUMBER(0, 0.02, 0.0016)),
+   IN_HIHAT(tilt)},
+  {ROW(TB_PARAM_HIHAT_UNEVENNESS, "hihat", "unevenness", "m",
+       "how far the edges deviate from a plane, at most", NUMBER(0, 0.005, 1e-4)),
+   IN_HIHAT(unevenness)},
+  {ROW(TB_PARAM_HIHAT_SEED, "hihat", "seed", "", "number that draws the deviations",
+       WHOLE(0, 4294967295.0, 1)),
+   IN_HIHAT(seed)},
+  {ROW(TB_PARAM_HIHAT_POINTS, "hihat", "points", "", "places around the edges where they meet",
+       WHOLE(4, 64, 16)),
+   IN_HIHAT(points)},
+  {ROW(TB_PARAM_HIHAT_CONTACT_STIFFNESS, "hihat", "contact_stiffness", "N/m^(1+exponent)",
+       "stiffness of the edges' contact per length", NUMBER(1e4, 1e12, 4e8), LOGARITHMIC),
+   IN_HIHAT(contact_stiffness)},
+  {ROW(TB_PARAM_HIHAT_CONTACT_EXPONENT, "hihat", "contact_exponent", "",
+       "exponent of the edges' contact law", NUMBER(1, 3, 1.5)),
+   IN_HIHAT(contact_exponent)},
+  {ROW(TB_PARAM_HIHAT_CONTACT_LOSS, "hihat", "contact_loss", "s/m", "loss in the edges' contact",
+       NUMBER(0, 50, 5)),
+   IN_HIHAT(contact_loss)},
 
   {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads, or of a plate",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),
@@ -531,7 +571,8 @@ uint32_t tb_group_capacity(TbGroup group) {
   case TB_GROUP_MIC: return TABOR_MAX_MICS;
   case TB_GROUP_SINGLE:
   case TB_GROUP_RESONANT:
-  case TB_GROUP_PLATE: break;
+  case TB_GROUP_PLATE:
+  case TB_GROUP_HIHAT: break;
   }
   return 1;
 }

@@ -35,6 +35,28 @@ typedef enum TbHeadParamId {
   TB_HEAD_LUG = 20 /**< of the first lug; the other lugs follow, to 35 */
 } TbHeadParamId;
 
+/** Numbers of a plate's parameters, from that of the plate on. */
+typedef enum TbPlateParamId {
+  TB_PLATE_THICKNESS = 1,
+  TB_PLATE_YOUNGS_MODULUS = 2,
+  TB_PLATE_POISSON_RATIO = 3,
+  TB_PLATE_DENSITY = 4,
+  TB_PLATE_DAMPING_0 = 5,
+  TB_PLATE_LOSS = 6,
+  TB_PLATE_HEAVE_FREQUENCY = 7,
+  TB_PLATE_TILT_FREQUENCY = 8,
+  TB_PLATE_MOUNT_DAMPING = 9,
+  TB_PLATE_TAPER = 10,
+  TB_PLATE_BOW = 11,
+  TB_PLATE_BELL_RADIUS = 12,
+  TB_PLATE_BELL_HEIGHT = 13,
+  TB_PLATE_FLANGE_WIDTH = 14,
+  TB_PLATE_FLANGE_SLOPE = 15,
+  TB_PLATE_SPLITTING = 16,
+  TB_PLATE_CASCADE = 17,
+  TB_PLATE_LARGE_DEFLECTIONS = 18
+} TbPlateParamId;
+
 /**
  * Stable ids: hosts and saved automation refer to them, so a number is never changed or used again.
  * A section owns a hundred numbers; keys reserved for later fit into the gaps.
@@ -48,24 +70,7 @@ typedef enum TbParamId {
   TB_PARAM_DRUM_CATEGORY = 103,
 
   TB_PARAM_BODY_KIND = 150,
-  TB_PARAM_PLATE_THICKNESS = 151,
-  TB_PARAM_PLATE_YOUNGS_MODULUS = 152,
-  TB_PARAM_PLATE_POISSON_RATIO = 153,
-  TB_PARAM_PLATE_DENSITY = 154,
-  TB_PARAM_PLATE_DAMPING_0 = 155,
-  TB_PARAM_PLATE_LOSS = 156,
-  TB_PARAM_PLATE_HEAVE_FREQUENCY = 157,
-  TB_PARAM_PLATE_TILT_FREQUENCY = 158,
-  TB_PARAM_PLATE_MOUNT_DAMPING = 159,
-  TB_PARAM_PLATE_TAPER = 160,
-  TB_PARAM_PLATE_BOW = 161,
-  TB_PARAM_PLATE_BELL_RADIUS = 162,
-  TB_PARAM_PLATE_BELL_HEIGHT = 163,
-  TB_PARAM_PLATE_FLANGE_WIDTH = 164,
-  TB_PARAM_PLATE_FLANGE_SLOPE = 165,
-  TB_PARAM_PLATE_SPLITTING = 166,
-  TB_PARAM_PLATE_CASCADE = 167,
-  TB_PARAM_PLATE_LARGE_DEFLECTIONS = 168,
+  TB_PARAM_PLATE = 150, /**< from 151, by TbPlateParamId */
 
   TB_PARAM_SHELL_RADIUS = 200,
   TB_PARAM_SHELL_DEPTH = 201,
@@ -178,15 +183,28 @@ typedef enum TbParamId {
   TB_PARAM_ROOM_SIZE = 1501,
   TB_PARAM_ROOM_DECAY = 1502,
   TB_PARAM_ROOM_TILT = 1503,
-  TB_PARAM_ROOM_LEVEL = 1504
+  TB_PARAM_ROOM_LEVEL = 1504,
+
+  TB_PARAM_BOTTOM = 1600, /**< from 1601, by TbPlateParamId */
+
+  TB_PARAM_HIHAT_OPENING = 1700, /**< live */
+  TB_PARAM_HIHAT_SPEED = 1701,
+  TB_PARAM_HIHAT_TILT = 1702,
+  TB_PARAM_HIHAT_UNEVENNESS = 1703,
+  TB_PARAM_HIHAT_SEED = 1704,
+  TB_PARAM_HIHAT_POINTS = 1705,
+  TB_PARAM_HIHAT_CONTACT_STIFFNESS = 1706,
+  TB_PARAM_HIHAT_CONTACT_EXPONENT = 1707,
+  TB_PARAM_HIHAT_CONTACT_LOSS = 1708
 } TbParamId;
 
-/** Structure of a row's section: one struct; one struct that may be absent (resonant, plate); or an
- * array of elements with a number or a name. */
+/** Structure of a row's section: one struct; structs that may be absent (resonant, plate, hihat); or
+ * an array of elements with a number or a name. */
 typedef enum TbGroup {
   TB_GROUP_SINGLE,
   TB_GROUP_RESONANT,
   TB_GROUP_PLATE,
+  TB_GROUP_HIHAT, /**< with the lower cymbal, [bottom] */
   TB_GROUP_WIRE,
   TB_GROUP_STRIKER,
   TB_GROUP_MIC

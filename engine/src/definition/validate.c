@@ -144,27 +144,35 @@ static TaborStatus check_heads(const TaborDrumDef *def, TaborError *error) {
   return check_place(def, "resonant.muffle_radius", def->resonant.muffle_radius, error);
 }
 
-static TaborStatus check_flange(const TaborDrumDef *def, TaborError *error) {
-  const double width = def->plate.flange_width, radius = def->shell.radius;
-  if (def->plate.flange_slope == 0.0 || width <= radius) return TABOR_OK;
+static TaborStatus check_flange(const TaborDrumDef *def, const TaborPlateDef *plate,
+                                const char *key, TaborError *error) {
+  const double width = plate->flange_width, radius = def->shell.radius;
+  if (plate->flange_slope == 0.0 || width <= radius) return TABOR_OK;
   char value[TB_NUMBER_SIZE];
   tb_number_print(width, value);
-  return tb_error_set(error, TABOR_ERROR_RANGE, "plate.flange_width", value, 0.005, radius,
-                      "plate.flange_width = %s is more than shell.radius, %g m", value, radius);
+  return tb_error_set(error, TABOR_ERROR_RANGE, key, value, 0.005, radius,
+                      "%s = %s is more than shell.radius, %g m", key, value, radius);
+}
+
+static TaborStatus check_flanges(const TaborDrumDef *def, TaborError *error) {
+  const TaborStatus status = check_flange(def, &def->plate, "plate.flange_width", error);
+  if (status != TABOR_OK || def->body.kind != TABOR_BODY_HIHAT) return status;
+  return check_flange(def, &def->bottom, "bottom.flange_width", error);
 }
 
 /* Refuses what a plate has not got. */
 static TaborStatus check_plate(const TaborDrumDef *def, TaborError *error) {
-  if (def->body.kind != TABOR_BODY_PLATE) return TABOR_OK;
+  if (def->body.kind == TABOR_BODY_DRUM) return TABOR_OK;
+  const char *const kind = def->body.kind == TABOR_BODY_PLATE ? "plate" : "hihat";
   if (def->two_headed == 1) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "resonant", NULL, NAN, NAN,
-                        "body.kind = plate: a plate has no resonant head");
+                        "body.kind = %s: a plate has no resonant head", kind);
   }
   if (def->shell.boundary != TABOR_BOUNDARY_OPEN) {
     return tb_error_set(error, TABOR_ERROR_RANGE, "shell.boundary", NULL, NAN, NAN,
-                        "body.kind = plate: shell.boundary has to be open");
+                        "body.kind = %s: shell.boundary has to be open", kind);
   }
-  if (def->wires.count == 0) return check_flange(def, error);
+  if (def->wires.count == 0) return check_flanges(def, error);
   char value[TB_NUMBER_SIZE];
   tb_number_print(def->wires.count, value);
   return tb_error_set(error, TABOR_ERROR_RANGE, "wires.count", value, 0, 0,

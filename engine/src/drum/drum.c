@@ -373,10 +373,9 @@ void tabor_drum_probe(const TaborDrum *drum, TaborProbe *probe) {
                         .striker = NAN,
                         .striker_force = NAN,
                         .wire_force = NAN};
-  if (model->wires.count > 0) {
-    probe->wire = wire_height(&view);
-    probe->wire_force = wires_force(&view);
-  }
+  if (model->wires.count > 0) probe->wire_force = wires_force(&view);
+  if (model->def.wires.count > 0) probe->wire = wire_height(&view);
+
   uint64_t newest = 0;
   for (uint32_t i = 0; i < TB_SLOTS; i++) {
     const TbSlot *slot = &drum->state->strikers.slots[i];

@@ -17,7 +17,7 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
     .bandwidth = model->high.count ? model->top : model->body.bandwidth,
     .high_mode_count = model->high.count,
     .newton_cap = model->newton_cap,
-    .wire_count = model->wires.count,
+    .wire_count = model->def.wires.count,
     .contact_points = model->wires.contact_points,
     .mic_count = model->def.mic_count,
     .model_bytes = model->arena.bytes + sizeof *model,

@@ -60,7 +60,7 @@ static double *radial_table(TbViewTables *view, uint32_t which) {
   for (uint32_t i = 0; i < radii; i++) {
     const double r = body->radius * i / (radii - 1);
     tb_body_radial(body, which, r, NULL, radial);
-    if (body->free_edge) tb_body_add_lift(body, r, radial);
+    if (body->free_edge) tb_body_add_lift(body, which, r, radial);
     for (uint32_t row = 0; row < body->row_count; row++) table[row * radii + i] = radial[row];
   }
   return table;
@@ -170,8 +170,8 @@ TaborStatus tabor_view_create(TaborModel *model, const TaborViewGrid *asked, Tab
                          .seen = {.heads = model->body.surfaces,
                                   .radii = grid.radii,
                                   .angles = grid.angles,
-                                  .wire_count = model->wires.count,
-                                  .wire_points = model->wires.count ? grid.wire_points : 0,
+                                  .wire_count = model->def.wires.count,
+                                  .wire_points = model->def.wires.count ? grid.wire_points : 0,
                                   .radius = model->body.radius,
                                   .bandwidth = fmin(grid.bandwidth, model->body.bandwidth)}};
   tb_arena_prepare(&view->arena, &allocator);

@@ -35,5 +35,5 @@ void tb_kit_voice_bind(const TaborKit *kit, uint32_t drum) {
   voice->close = *def->mic ? find_mic(&model->def, def->mic) : 0;
   if (voice->close == TB_NO_MIC) voice->close = 0; /* of another preset, by a swap */
   voice->full_scale = model->def.full_scale;
-  voice->wake = model->wires.count > 0 ? def->wake : INFINITY;
+  voice->wake = model->def.wires.count > 0 ? def->wake : INFINITY;
 }

@@ -8,6 +8,7 @@ const TbBodyKind *tb_body_kind(const TaborDrumDef *def) {
   static const TbBodyKind *const KINDS[] = {
     [TABOR_BODY_DRUM] = &tb_body_drum,
     [TABOR_BODY_PLATE] = &tb_body_plate,
+    [TABOR_BODY_HIHAT] = &tb_body_plate,
   };
   return KINDS[def->body.kind];
 }

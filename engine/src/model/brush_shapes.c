@@ -47,7 +47,7 @@ static TaborStatus prepare_rings(TaborModel *model, const TbBesselTable *table, 
     const double radius = ring * places->apart;
     tb_body_radial_tabled(&model->body, table, TABOR_HEAD_BATTER, radius, model->patches[striker],
                           places->rows + ring * rows);
-    tb_body_add_lift(&model->body, radius, places->rows + ring * rows);
+    tb_body_add_lift(&model->body, TABOR_HEAD_BATTER, radius, places->rows + ring * rows);
     if (waves > 0) fill_waves(model, striker, table, radius, places->waves + ring * waves);
   }
   return TABOR_OK;

@@ -30,7 +30,7 @@ typedef struct Statics {
   double *factors[TABOR_MAX_WIRES];       /* of I + D^(1/2) C D^(1/2) with the wire alone */
   double *responses[TABOR_MAX_WIRES];     /* see wire_responses() */
   double *eta0;                           /* [n] */
-  double *weight;                         /* [padded]: gravity on each mode [N] */
+  double *weight;                         /* [padded]: gravity and rod on each mode [N] */
   double *grid, *answer, *fold, *yielded; /* scratch */
 } Statics;
 
@@ -50,9 +50,17 @@ static void weigh_head(const TaborModel *model, double *weight) {
       for (uint32_t z = 0; z < order->zero_count; z++) {
         area += v[z] * tb_bessel_j(1, order->zeros[z]) / order->zeros[z];
       }
-      if (model->body.free_edge) area += 0.5 * order->edge[mode->place];
+      if (model->body.free_edge) area += 0.5 * order->edge[h][mode->place];
       weight[i] += load * 2.0 * PI * radius * radius * area;
     }
+  }
+}
+
+/* What the rod of a hi-hat adds. */
+static void push_rod(const TaborModel *model, double *weight) {
+  const TbRod *rod = &model->rod;
+  for (uint32_t i = 0; i < rod->count; i++) {
+    weight[rod->mode[i]] += rod->push[i] * model->def.hihat.opening;
   }
 }
 
@@ -261,7 +269,7 @@ static TaborStatus wire_statics(const TaborModel *model, TbArena *scratch, Stati
   s->wires[w] = tb_arena_doubles(scratch, (size_t)rows * rows);
   s->factors[w] = tb_arena_doubles(scratch, (size_t)rows * rows);
   if (scratch->failed) return TABOR_ERROR_MEMORY;
-  if (!wire_responses(&model->wires, wire, scratch, s->responses[w])) {
+  if (!wire->still && !wire_responses(&model->wires, wire, scratch, s->responses[w])) {
     return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
   }
   for (uint32_t a = 0; a < rows; a++) {
@@ -369,6 +377,7 @@ TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch) {
   if (scratch->failed) return TABOR_ERROR_MEMORY;
 
   weigh_head(model, s.weight);
+  push_rod(model, s.weight);
   TaborStatus status = head_statics(model, scratch, &s);
   for (uint32_t w = 0; w < wires->count && status == TABOR_OK; w++) {
     status = wire_statics(model, scratch, &s, w);

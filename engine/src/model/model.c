@@ -25,7 +25,7 @@ void tb_model_shape(const TaborModel *model, uint32_t which, double radius, doub
   double sine, cosine;
   tb_sin_cos_degrees(angle - model->axis, &sine, &cosine);
   tb_body_radial(&model->body, which, radius, patch, radial);
-  tb_body_add_lift(&model->body, radius, radial);
+  tb_body_add_lift(&model->body, which, radius, radial);
   tb_modes_turn(&model->modes, &model->body, radial, sine, cosine, shape);
 }
 
@@ -103,7 +103,7 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
   tb_modes_shape(&model->modes, &model->body, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
                  model->center);
-  return TABOR_OK;
+  return tb_rod_prepare(&model->rod, &model->arena, &model->modes, &model->body);
 }
 
 /* Room for a unit force's way through the head. */
@@ -347,7 +347,7 @@ static const double OFF_STROKE = 40.0;
 
 static double axis_of(const TaborDrumDef *def) {
   if (def->wires.count > 0) return def->wires.angle;
-  const bool uneven = def->body.kind == TABOR_BODY_PLATE && def->plate.splitting > 0.0;
+  const bool uneven = def->body.kind != TABOR_BODY_DRUM && def->plate.splitting > 0.0;
   return def->strike.angle + (uneven ? OFF_STROKE : 0.0);
 }
 

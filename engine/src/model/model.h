@@ -20,6 +20,7 @@
 #include "model/plate_coupling.h"
 #include "model/projection.h"
 #include "model/radiated_power.h"
+#include "model/rims.h"
 #include "model/state_arrays.h"
 #include "model/stick_bending.h"
 #include "model/stretch_mixing.h"
@@ -141,6 +142,7 @@ struct TaborModel {
   TbStretch stretch;
   TbPlateCoupling plate;
   TbCascade cascade;
+  TbRod rod;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *palm_patch;

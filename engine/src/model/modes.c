@@ -87,6 +87,28 @@ void tb_modes_turn(const TbModes *modes, const TbBody *body, const double *radia
   }
 }
 
+/* What closes the gap between the edges of two plates. */
+static void closing(const TbBody *body, double *radial) {
+  for (uint32_t m = 0; m < body->order_count; m++) {
+    const TbBodyOrder *order = &body->orders[m];
+    for (uint32_t k = 0; k < order->mode_count; k++) {
+      radial[order->rows[k]] = order->edge[1][k] - order->edge[0][k];
+    }
+  }
+}
+
+void tb_modes_shape_at(const TbModes *modes, const TbBody *body, const TbWires *wires, uint32_t row,
+                       double *radial, double *shape) {
+  const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
+  const double sine = r > 0.0 ? y / r : 0.0, cosine = r > 0.0 ? x / r : 1.0;
+  if (!wires->rims) {
+    tb_modes_shape(modes, body, wires->head, r, sine, cosine, NULL, radial, shape);
+    return;
+  }
+  closing(body, radial);
+  tb_modes_turn(modes, body, radial, sine, cosine, shape);
+}
+
 /* All modes with their copies, by frequency, as long as they fit. */
 static bool list_modes(TbModes *list, TbArena *scratch, const TbBody *body) {
   *list = (TbModes){0};
@@ -120,9 +142,7 @@ static bool largest_shapes(const TbModes *list, TbArena *scratch, const TbBody *
                        (wires->balanced && row / wires->lanes > wires->count / 2);
     if (image || wires->real[row] == 0.0) continue;
     if (!tb_arena_go_on(scratch)) return false;
-    const double x = wires->row_x[row], y = wires->row_y[row], r = sqrt(x * x + y * y);
-    tb_modes_shape(list, body, wires->head, r, r > 0.0 ? y / r : 0.0, r > 0.0 ? x / r : 1.0, NULL,
-                   radial, shape);
+    tb_modes_shape_at(list, body, wires, row, radial, shape);
     for (uint32_t i = 0; i < list->count; i++) most[i] = fmax(most[i], fabs(shape[i]));
   }
   return true;

@@ -120,6 +120,11 @@ void tb_modes_shape(const TbModes *modes, const TbBody *body, uint32_t which, do
                     double sin_angle, double cos_angle, const double *patch, double *radial,
                     double *shape);
 
+/* Computes the shape of every mode at a contact point of the wires; of a hi-hat's edges, how far it
+ * closes them. */
+void tb_modes_shape_at(const TbModes *modes, const TbBody *body, const TbWires *wires, uint32_t row,
+                       double *radial, double *shape);
+
 /* Computes the same from given radial shapes, radial[head.row_count]. */
 void tb_modes_turn(const TbModes *modes, const TbBody *body, const double *radial, double sin_angle,
                    double cos_angle, double *shape);

@@ -50,13 +50,14 @@ static bool stretches(const Order *o, uint32_t h, uint32_t place) {
 /* G_ij on stretching head h. */
 static double term(const Order *o, uint32_t h, uint32_t i, uint32_t j) {
   const TbBodyOrder *order = o->order;
-  const double *vectors = order->vectors[o->model->stretch.head[h]];
+  const uint32_t head = o->model->stretch.head[h];
+  const double *vectors = order->vectors[head], *edge = order->edge[head];
   const double *v = vectors + (size_t)i * order->zero_count;
   const double *w = vectors + (size_t)j * order->zero_count;
   const double azimuth = order->m ? PI : 2.0 * PI;
   double sum = 0.0;
   for (uint32_t k = 0; k < order->zero_count; k++) sum += v[k] * w[k] * o->stretch[k];
-  return sum + (order->edge ? azimuth * order->m * order->edge[i] * order->edge[j] : 0.0);
+  return sum + (edge ? azimuth * order->m * edge[i] * edge[j] : 0.0);
 }
 
 /* Whether a mode mixes with another one on head h. */

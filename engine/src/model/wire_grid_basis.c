@@ -28,9 +28,9 @@ typedef struct Fit {
 
 static bool shapes_at(const Fit *fit, uint32_t row, double *radial, double *shape) {
   const double x = fit->wires->row_x[row], y = fit->wires->row_y[row], r = sqrt(x * x + y * y);
-  if (r >= fit->body->radius) return false; /* beside the head: nothing moves, nothing touches */
-  tb_modes_shape(fit->modes, fit->body, fit->wires->head, r, r > 0.0 ? y / r : 0.0,
-                 r > 0.0 ? x / r : 1.0, NULL, radial, shape);
+  const bool beside = r >= fit->body->radius; /* the head: nothing moves, nothing touches */
+  if (fit->wires->rims ? fit->wires->real[row] == 0.0 : beside) return false;
+  tb_modes_shape_at(fit->modes, fit->body, fit->wires, row, radial, shape);
   return true;
 }
 

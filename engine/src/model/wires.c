@@ -7,6 +7,7 @@
 #include "definition/definition.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
+#include "model/rims.h"
 #include "model/wire_shape.h"
 
 static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
@@ -149,7 +150,7 @@ static double deepest(const TbWires *wires, const TaborDrumDef *def) {
   return depth;
 }
 
-static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
+TaborStatus tb_wire_rows_prepare(TbWires *wires, TbArena *arena) {
   wires->stride = wires->count * wires->lanes;
   wires->node_count = wires->stride + 2u * TB_WIRE_FRONT;
   wires->row_wire = tb_arena_take(arena, wires->stride, sizeof *wires->row_wire);
@@ -157,9 +158,7 @@ static TaborStatus rows_prepare(TbWires *wires, TbArena *arena, double radius) {
   for (size_t i = 0; i < sizeof arrays / sizeof *arrays; i++) {
     *arrays[i] = tb_arena_doubles(arena, wires->stride);
   }
-  if (arena->failed) return TABOR_ERROR_MEMORY;
-  for (uint32_t w = 0; w < wires->count; w++) wire_rows(wires, w, radius);
-  return TABOR_OK;
+  return arena->failed ? TABOR_ERROR_MEMORY : TABOR_OK;
 }
 
 static void find_symmetries(TbWires *wires) {
@@ -177,6 +176,7 @@ static void find_symmetries(TbWires *wires) {
 
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                              double time_step, uint32_t most_cells, TaborError *error) {
+  if (def->body.kind == TABOR_BODY_HIHAT) return tb_rims_prepare(wires, arena, def);
   const bool above = def->wires.side == TABOR_SIDE_ABOVE;
   *wires = (TbWires){.head = def->wires.head,
                      .count = def->wires.count,
@@ -201,8 +201,9 @@ TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef 
   wires->lanes = tb_pad(cells);
   wires->middle = cells ? cells / 2 - 1u : 0;
   find_symmetries(wires);
-  const TaborStatus status = rows_prepare(wires, arena, def->shell.radius);
+  const TaborStatus status = tb_wire_rows_prepare(wires, arena);
   if (status != TABOR_OK) return status;
+  for (uint32_t w = 0; w < wires->count; w++) wire_rows(wires, w, def->shell.radius);
   for (uint32_t w = 0; w < wires->count; w++) bend(wires, &def->wires, w);
   wires->strainer_travel += deepest(wires, def);
   return TABOR_OK;
@@ -221,7 +222,7 @@ void tb_wire_coefficients(const TbWire *wire, double k, double tension, double d
     .diffuse = damping_1 * k / (h * h),
     .keep = 1.0 - 0.5 * damping_0 * k,
     .gain = gain,
-    .compliance = k * k / (mu * h) * gain,
+    .compliance = wire->still ? 0.0 : k * k / (mu * h) * gain,
     .loss_0 = mu / (4.0 * k) * damping_0 * h,
     .loss_1 = mu / (4.0 * k) * damping_1 / h,
   };

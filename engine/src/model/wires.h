@@ -40,6 +40,7 @@ typedef struct TbWire {
   double rest_offset; /* of the ends with the strainer on [m] */
   double contact_stiffness, contact_exponent, contact_loss; /* per length; see contact_law.h */
   double x, y, dx, dy; /* middle, and the step from node to node, +x along the bed [m] */
+  bool still;          /* its nodes do not move: see rims.h */
   bool own_tension, own_damping_0, own_damping_1; /* true: not from [wires] */
 } TbWire;
 
@@ -50,6 +51,7 @@ typedef struct TbWire {
 #define TB_WIRE_FRONT 8u
 
 typedef struct TbWires {
+  bool rims;               /* the edges of a hi-hat stand in for wires: see rims.h */
   uint32_t head;           /* a TaborHead */
   uint32_t count, lanes;   /* lanes: a multiple of 8 */
   uint32_t stride;         /* rows: count * lanes */
@@ -74,6 +76,9 @@ typedef struct TbWires {
  * compliances. */
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                              double time_step, uint32_t most_cells, TaborError *error);
+
+/* Takes the arrays of count * lanes rows. Returns TABOR_ERROR_MEMORY on failure. */
+TaborStatus tb_wire_rows_prepare(TbWires *wires, TbArena *arena);
 
 void tb_wire_coefficients(const TbWire *wire, double time_step, double tension, double damping_0,
                           double damping_1, TbWireCoefficients *coefficients);

@@ -18,8 +18,9 @@ typedef enum TbLiveIndex {
   TB_LIVE_MUFFLE, /* of the batter head; the resonant head's is next */
   TB_LIVE_MUFFLE_RESONANT,
   TB_LIVE_FULL_SCALE,
-  TB_LIVE_GRIP, /* of hands that press a stick */
-  TB_LIVE_GAIN, /* of the first microphone; the others follow in order */
+  TB_LIVE_GRIP,    /* of hands that press a stick */
+  TB_LIVE_OPENING, /* of a hi-hat */
+  TB_LIVE_GAIN,    /* of the first microphone; the others follow in order */
   TB_LIVE_COUNT = TB_LIVE_GAIN + TABOR_MAX_MICS
 } TbLiveIndex;
 

@@ -23,6 +23,7 @@ static double definition_value(const TaborDrumDef *def, uint32_t index) {
   case TB_LIVE_MUFFLE_RESONANT: return def->resonant.muffle_strength;
   case TB_LIVE_FULL_SCALE: return def->full_scale;
   case TB_LIVE_GRIP: return def->hand.grip;
+  case TB_LIVE_OPENING: return def->hihat.opening;
   default: return index - TB_LIVE_GAIN < def->mic_count ? def->mic[index - TB_LIVE_GAIN].gain : 1.0;
   }
 }
@@ -92,6 +93,7 @@ static const uint32_t PARAMETERS[TB_LIVE_GAIN + 1] = {
   [TB_LIVE_MUFFLE_RESONANT] = TB_PARAM_RESONANT + TB_HEAD_MUFFLE_STRENGTH,
   [TB_LIVE_FULL_SCALE] = TB_PARAM_OUTPUT_FULL_SCALE,
   [TB_LIVE_GRIP] = TB_PARAM_HAND_GRIP,
+  [TB_LIVE_OPENING] = TB_PARAM_HIHAT_OPENING,
   [TB_LIVE_GAIN] = TB_PARAM_MIC_GAIN,
 };
 
@@ -126,6 +128,7 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   const int first = live_index(parameter);
   if (!param || first < 0) return false;
   if (first == TB_LIVE_MUFFLE_RESONANT && view->model->body.surfaces < 2) return false;
+  if (first == TB_LIVE_OPENING && view->model->rod.count == 0) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
   TbLiveParam *live = &view->state->live.values[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
   move_to(live, clamp(value, param->info.minimum, param->info.maximum), view->model->step_rate);
@@ -154,15 +157,21 @@ bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
   return moves;
 }
 
-/* True if the value moved. */
-static bool advance(TbLiveParam *live, bool slewed) {
+/* The most that a value may change by in a step. */
+static double slew(const TbView *view, uint32_t index) {
+  const double now = view->state->live.values[index].now;
+  if (index == TB_LIVE_TENSION) return now * TENSION_SLEW;
+  if (index == TB_LIVE_OPENING) return view->model->def.hihat.speed * view->model->time_step;
+  return INFINITY;
+}
+
+/* True if the value moved. A slow one stays under way until the limit lets it arrive. */
+static bool advance(TbView *view, uint32_t index) {
+  TbLiveParam *live = &view->state->live.values[index];
   if (live->left == 0) return false;
-  const double before = live->now, next = tb_live_next(live);
-  if (slewed) { /* stay under way until the limit lets it arrive */
-    const double most = before * TENSION_SLEW;
-    live->now = clamp(next, before - most, before + most);
-    if (live->left == 0 && live->now != live->target) live->left = 1;
-  }
+  const double before = live->now, most = slew(view, index);
+  live->now = clamp(tb_live_next(live), before - most, before + most);
+  if (live->left == 0 && live->now != live->target) live->left = 1;
   return true;
 }
 
@@ -174,14 +183,14 @@ static bool under_way(const TbLiveParam *live, uint32_t first, uint32_t end) {
   return moving;
 }
 
-static void advance_all(TbLiveParam *live, uint32_t first, uint32_t end) {
-  for (uint32_t i = first; i < end; i++) advance(&live[i], i == TB_LIVE_TENSION);
+static void advance_all(TbView *view, uint32_t first, uint32_t end) {
+  for (uint32_t i = first; i < end; i++) advance(view, i);
 }
 
 /* Mufflers store no energy. */
 static void move_mufflers(TbView *view) {
   if (!under_way(view->state->live.values, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE)) return;
-  advance_all(view->state->live.values, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
+  advance_all(view, TB_LIVE_MUFFLE, TB_LIVE_FULL_SCALE);
   tb_pool_muffle(view);
 }
 
@@ -196,17 +205,16 @@ static void move_wires(TbView *view) {
   tb_wire_clearance_end(view);
   const double before = tb_energy_wires(view, &view->now, &view->last);
   for (uint32_t i = 0; strings && i < WIRE_SAMPLES; i++) {
-    advance_all(live, TB_LIVE_TENSION, TB_LIVE_STRAINER);
+    advance_all(view, TB_LIVE_TENSION, TB_LIVE_STRAINER);
   }
-  if (ends) advance_all(live, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
+  if (ends) advance_all(view, TB_LIVE_STRAINER, TB_LIVE_MUFFLE);
   tb_live_params_apply(view);
   view->state->ledger.sums.control += tb_energy_wires(view, &view->now, &view->last) - before;
 }
 
 void tb_live_params_step(TbView *view) {
-  TbLiveParam *live = view->state->live.values;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
-    if (advance(&live[i], false) && i == TB_LIVE_GRIP) tb_hold_regrip(view);
+    if (advance(view, i) && i == TB_LIVE_GRIP) tb_hold_regrip(view);
   }
   move_mufflers(view);
   move_wires(view);

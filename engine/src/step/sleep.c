@@ -10,6 +10,7 @@
 #include "heads/moving_modes.h"
 #include "heads/stretch.h"
 #include "step/energy.h"
+#include "step/pedal.h"
 #include "step/plate_relax.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
@@ -60,9 +61,10 @@ static void clear_high(TbView *view) {
 
 static double silent_energy(const TaborModel *model) { return SILENT_ENERGY[model->contacts]; }
 
-/* True if a striker, a hand or wires of another tension hold the drum away from its rest. */
+/* True if a striker, a hand, wires of another tension or a pedal hold the drum away from its rest.
+ */
 static bool is_held(const TbView *view) {
-  return tb_slots_play(view) || !tb_wires_have_own_tension(view);
+  return tb_slots_play(view) || !tb_wires_have_own_tension(view) || !tb_pedal_rests(view);
 }
 
 static void return_to_rest(TbView *view) {

@@ -22,7 +22,7 @@ static double compliance_of(const TbWire *wire, double tension, double x) {
 
 bool tb_pluck(TbView *view, uint32_t wire, double place, double displacement, double time) {
   const TbWires *wires = &view->model->wires;
-  if (wire >= wires->count) return false;
+  if (wire >= wires->count || wires->rims) return false;
   const TbWire *w = &wires->wires[wire];
   const double node = place * w->cells;
   const uint32_t inner = w->cells - 1u;

@@ -503,8 +503,8 @@ static void keep_vectors(const Enclosed *e, const Parts *parts, const double *v,
       kept[i] = h ? -own : own;
     }
   }
-  if (!order->edge) return;
-  order->edge[order->mode_count] = parts->rim.edge;
+  if (!order->edge[0]) return;
+  order->edge[0][order->mode_count] = parts->rim.edge;
   order->hoop[order->mode_count] = parts->rim.hoop;
 }
 
@@ -602,7 +602,7 @@ TaborStatus tb_closed_drum_order(const TaborDrumDef *def, TbArena *arena, TbAren
     order->vectors[h] = tb_arena_doubles(arena, (size_t)below * air->count);
   }
   if (rim->count > 0) {
-    order->edge = tb_arena_doubles(arena, below);
+    order->edge[0] = order->edge[1] = tb_arena_doubles(arena, below);
     order->hoop = tb_arena_doubles(arena, below);
   }
   if (arena->failed) return TABOR_ERROR_MEMORY;

@@ -116,8 +116,8 @@ static void keep_vector(const OrderWork *work, const TbAirOrder *air, const doub
   for (uint32_t i = 0; i < air->count; i++) {
     kept[i] = v[i] - rim.edge * tb_rim_lift(air, 0, i);
   }
-  if (!order->edge) return;
-  order->edge[order->mode_count] = rim.edge;
+  if (!order->edge[0]) return;
+  order->edge[0][order->mode_count] = rim.edge;
   order->hoop[order->mode_count] = rim.hoop;
 }
 
@@ -168,7 +168,7 @@ TaborStatus tb_single_head_order(const TaborDrumDef *def, TbArena *arena, TbAren
   double *vectors = tb_arena_doubles(scratch, (size_t)size * size);
   order->vectors[0] = tb_arena_doubles(arena, (size_t)size * air->count);
   if (rim->count > 0) {
-    order->edge = tb_arena_doubles(arena, size);
+    order->edge[0] = tb_arena_doubles(arena, size);
     order->hoop = tb_arena_doubles(arena, size);
   }
   if (scratch->failed || arena->failed ||

@@ -53,8 +53,23 @@ static TaborStatus resolve(TaborDrumDef *def, const TbArena *beside, TaborError 
 
 static void resolve_roughly(TaborDrumDef *def) { (void)def; }
 
-static void sheets(const TaborDrumDef *def, TaborHeadDef sheet[TB_HEADS]) {
+/* Plates of a body: a hi-hat has two. */
+static uint32_t plates_of(const TaborDrumDef *def) {
+  return def->body.kind == TABOR_BODY_HIHAT ? 2u : 1u;
+}
+
+/* The definition of one plate by itself. */
+static TaborDrumDef definition_of(const TaborDrumDef *def, uint32_t surface) {
+  TaborDrumDef own = *def;
+  if (surface == 0) return own;
+  own.plate = def->bottom;
+  own.batter = def->resonant; /* has the damper and the ring that lie on the plate: none */
+  return own;
+}
+
+static void sheets(const TaborDrumDef *body, TaborHeadDef sheet[TB_HEADS]) {
   for (uint32_t h = 0; h < TB_HEADS; h++) {
+    const TaborDrumDef own = definition_of(body, h), *def = &own;
     sheet[h] = def->batter; /* has the damper and the ring that lie on the plate */
     sheet[h].tension = sheet[h].damping_k = sheet[h].damping_1 = 0.0;
     sheet[h].stretch_stiffness = sheet[h].unevenness = sheet[h].lug_spread = 0.0;
@@ -69,28 +84,42 @@ static void sheets(const TaborDrumDef *def, TaborHeadDef sheet[TB_HEADS]) {
 static double highest_lambda(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits) {
   const double shortest = square_per_omega(def, least_thickness(&def->plate));
   const double wanted = sqrt(2.0 * PI * bandwidth * shortest);
-  const double room = sqrt(4.0 * limits.modes) - 6.0; /* edge modes are some 3 lambda/2 more */
+  const double modes = (double)limits.modes / plates_of(def);
+  const double room = sqrt(4.0 * modes) - 6.0; /* edge modes are some 3 lambda/2 more */
   const double most = fmin(room, MOST_OF_BASIS * TB_TOP_ZERO);
   return fmin(wanted, most);
 }
 
-static double basis(const TaborDrumDef *def, double bandwidth, TbBodyLimits limits,
+static double basis(const TaborDrumDef *body, double bandwidth, TbBodyLimits limits,
                     double *reached) {
-  const double lambda = highest_lambda(def, bandwidth, limits);
-  const double shortest = square_per_omega(def, least_thickness(&def->plate));
-  *reached = fmin(bandwidth, lambda * lambda / (2.0 * PI * shortest));
-  return fmin(BASIS_PER_LAMBDA * lambda + BASIS_MORE, TB_TOP_ZERO);
+  double most = 0.0;
+  *reached = bandwidth;
+  for (uint32_t s = 0; s < plates_of(body); s++) {
+    const TaborDrumDef def = definition_of(body, s);
+    const double lambda = highest_lambda(&def, bandwidth, limits);
+    const double shortest = square_per_omega(&def, least_thickness(&def.plate));
+    *reached = fmin(*reached, lambda * lambda / (2.0 * PI * shortest));
+    most = fmax(most, lambda);
+  }
+  return fmin(BASIS_PER_LAMBDA * most + BASIS_MORE, TB_TOP_ZERO);
 }
 
 /* Data that the orders of a plate share. */
 typedef struct Shared {
-  const TaborDrumDef *def;
+  TaborDrumDef def; /* of this plate by itself */
+  uint32_t surface;
   TbPlatePoints points;
   double limit;         /* [rad/s] */
   double top;           /* lambda of the disc's modes that are used */
   double coupled;       /* lambda of the modes that large deflections couple */
   TbMembrane *membrane; /* of the body */
 } Shared;
+
+/* The plates of a body. */
+typedef struct Plates {
+  uint32_t count;
+  Shared plate[TB_HEADS];
+} Plates;
 
 /* The flat disc's modes of one order, what a plate in vacuo is in them, and room for one in air. */
 typedef struct Work {
@@ -100,7 +129,8 @@ typedef struct Work {
   TbPlateForms forms;
   /* [1/(kg s2), 1/(kg s)]: of the momentum in the rigid motion. */
   double mount_stiffness, mount_loss;
-  double *y; /* [count][air->count], with the edge's motion */
+  double foot; /* [1/s2]: force per momentum when the foot of the mount rises */
+  double *y;   /* [count][air->count], with the edge's motion */
   const double *ring;
 } Work;
 
@@ -115,16 +145,17 @@ static void find_series(const Work *w, uint32_t k) {
 /* The mount acts on the rigid motion, the first mode of m < 2: by the momentum in it, in which bent
  * modes have no part. */
 static void hold_middle(Work *w) {
-  const TaborPlateDef *plate = &w->shared->def->plate;
+  const TaborPlateDef *plate = &w->shared->def.plate;
   if (w->air->m >= 2 || w->count == 0) return;
   const double omega = 2.0 * PI * (w->air->m ? plate->tilt_frequency : plate->heave_frequency);
   w->mount_stiffness = omega * omega / w->forms.mass[0];
+  w->foot = w->air->m == 0 && w->shared->surface == 0 ? omega * omega : 0.0;
   w->mount_loss = (2.0 * plate->mount_damping * omega - plate->damping_0) / w->forms.mass[0];
 }
 
 static TaborStatus prepare_work(Work *w, TbArena *scratch) {
   const Shared *shared = w->shared;
-  const TaborDrumDef *def = shared->def;
+  const TaborDrumDef *def = &shared->def;
   const uint32_t m = w->air->m, room = w->air->count + 2u;
   const double stressed =
     tb_plate_is_flat(&def->plate) ? tb_plate_stress_top(shared->coupled) : shared->top;
@@ -152,7 +183,7 @@ static bool add_air(const Work *w, TbArena *scratch, double *mass) {
   const uint32_t n = w->air->count;
   double *matrix = tb_arena_doubles(scratch, (size_t)n * n);
   double *loaded = tb_arena_doubles(scratch, n);
-  if (scratch->failed || !tb_load_matrix(w->shared->def, scratch, w->air, n, matrix)) return false;
+  if (scratch->failed || !tb_load_matrix(&w->shared->def, scratch, w->air, n, matrix)) return false;
   for (uint32_t l = 0; l < w->count; l++) {
     for (uint32_t i = 0; i < n; i++) {
       loaded[i] = 0.0;
@@ -178,7 +209,7 @@ static TaborStatus solve(const Work *w, TbArena *scratch, double *squares, doubl
       stiffness[k * n + l] += w->mount_stiffness * w->forms.mass[k] * w->forms.mass[l];
     }
   }
-  if (w->shared->def->air.density > 0.0 && !add_air(w, scratch, mass)) return TABOR_ERROR_MEMORY;
+  if (w->shared->def.air.density > 0.0 && !add_air(w, scratch, mass)) return TABOR_ERROR_MEMORY;
   if (tb_eigen_symmetric(scratch, n, stiffness, mass, squares, vectors)) return TABOR_OK;
   return scratch->failed ? TABOR_ERROR_MEMORY : TABOR_ERROR_NUMERICS;
 }
@@ -191,16 +222,22 @@ static double form(uint32_t n, const double *matrix, const double *u) {
   return sum;
 }
 
+/* The momentum in the rigid motion. */
+static double momentum(const Work *w, const double *u) {
+  double sum = 0.0;
+  for (uint32_t k = 0; k < w->count; k++) sum += w->forms.mass[k] * u[k];
+  return sum;
+}
+
 /* A mode's share of the plate itself, and of the loss without the part that the loss factor gives,
  * which depends on the frequency. */
 static TbOwnParts own_parts(const Work *w, double stiffness, const double *u) {
-  double rigid = 0.0;
-  for (uint32_t k = 0; k < w->count; k++) rigid += w->forms.mass[k] * u[k];
+  double rigid = momentum(w, u);
   rigid *= rigid;
   const double mass = form(w->count, w->forms.mass, u);
   return (TbOwnParts){.mass = mass,
                       .stiffness = stiffness + rigid * w->mount_stiffness,
-                      .loss = w->shared->def->plate.damping_0 * mass + rigid * w->mount_loss};
+                      .loss = w->shared->def.plate.damping_0 * mass + rigid * w->mount_loss};
 }
 
 /* The disc's mode that moves most. */
@@ -228,7 +265,7 @@ static double keep_vector(const Work *w, const double *u, double *kept) {
 
 static bool finish_mode(const Work *w, TbArena *scratch, double square, double *u, double *kept,
                         double *edge, TbBodyMode *mode) {
-  const TaborDrumDef *def = w->shared->def;
+  const TaborDrumDef *def = &w->shared->def;
   double *y = tb_arena_doubles(scratch, w->air->count);
   if (!y) return false;
   *edge = keep_vector(w, u, kept);
@@ -243,6 +280,7 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   for (uint32_t i = 0; i < 2 * TABOR_MAX_MICS; i++) mode->fields[i] *= unit;
   for (uint32_t k = 0; k < w->count; k++) u[k] *= unit;
   *edge *= unit;
+  mode->rod = w->foot * momentum(w, u);
   if (!def->quality.losses) return true;
   const double loss = own.loss + tb_felt_ring_loss(w->ring, w->air->count, y) +
                       def->plate.loss * stiffness / mode->omega;
@@ -251,9 +289,11 @@ static bool finish_mode(const Work *w, TbArena *scratch, double square, double *
   return true;
 }
 
+/* Appends the modes of one plate to those of the order. */
 static TaborStatus finish_modes(const Work *w, TbArena *arena, const double *squares,
                                 double *vectors, TbBodyOrder *order, TbBodyMode *modes,
                                 uint32_t room) {
+  const uint32_t surface = w->shared->surface;
   for (uint32_t k = 0; k < w->count && order->mode_count < room; k++) {
     if (!(squares[k] <= w->shared->limit * w->shared->limit)) break;
     const uint32_t place = order->mode_count;
@@ -261,15 +301,15 @@ static TaborStatus finish_modes(const Work *w, TbArena *arena, const double *squ
     double *u = vectors + (size_t)k * w->count;
     *mode = (TbBodyMode){.m = order->m,
                          .n = strongest(w, u),
-                         .split = w->shared->def->plate.splitting * tb_draw(order->m, k),
-                         .index = k,
+                         .split = w->shared->def.plate.splitting * tb_draw(order->m, k),
+                         .index = place,
                          .place = place,
-                         .part = TABOR_PART_PLATE};
+                         .part = surface ? TABOR_PART_BOTTOM : TABOR_PART_PLATE};
     TbArena one;
     tb_arena_beside(&one, arena);
     const bool finished =
-      finish_mode(w, &one, squares[k], u, order->vectors[0] + (size_t)place * w->air->count,
-                  &order->edge[place], mode);
+      finish_mode(w, &one, squares[k], u, order->vectors[surface] + (size_t)place * w->air->count,
+                  &order->edge[surface][place], mode);
     tb_arena_release(&one);
     if (!finished) return TABOR_ERROR_MEMORY;
     order->mode_count++;
@@ -284,64 +324,112 @@ static uint32_t coupled_modes(const Work *w, const TbBodyMode *modes, uint32_t c
   return coupled;
 }
 
+/* Modes of one plate of order `air->m`; the order has room for those of all. */
+static TaborStatus build_plate(Work *w, TbArena *arena, TbArena *scratch, TbBodyOrder *order,
+                               TbBodyMode *modes, uint32_t room) {
+  if (w->count == 0) return TABOR_OK;
+  const uint32_t first = order->mode_count;
+  double *squares = tb_arena_doubles(scratch, w->count);
+  double *vectors = tb_arena_doubles(scratch, (size_t)w->count * w->count);
+  if (scratch->failed) return TABOR_ERROR_MEMORY;
+  TaborStatus status = solve(w, scratch, squares, vectors);
+  if (status == TABOR_OK) status = finish_modes(w, arena, squares, vectors, order, modes, room);
+  if (status != TABOR_OK || w->air->m >= w->shared->membrane->order_count) return status;
+  return tb_plate_stress_order(&w->shared->def, w->air->table, w->shared->coupled, w->air->m,
+                               &w->forms,
+                               coupled_modes(w, modes + first, order->mode_count - first), vectors,
+                               arena, scratch, w->shared->membrane);
+}
+
 static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scratch,
                                const TbAirOrder *air, TbBodyOrder *order, TbBodyMode *modes,
                                uint32_t room) {
-  Work w = {.shared = context, .air = air};
-  TaborStatus status = prepare_work(&w, scratch);
-  if (status != TABOR_OK || w.count == 0) return status;
-  double *squares = tb_arena_doubles(scratch, w.count);
-  double *vectors = tb_arena_doubles(scratch, (size_t)w.count * w.count);
-  order->vectors[0] = tb_arena_doubles(arena, (size_t)w.count * air->count);
-  order->edge = tb_arena_doubles(arena, w.count);
-  if (arena->failed || scratch->failed) return TABOR_ERROR_MEMORY;
-  status = solve(&w, scratch, squares, vectors);
-  if (status == TABOR_OK) status = finish_modes(&w, arena, squares, vectors, order, modes, room);
-  if (status != TABOR_OK || air->m >= w.shared->membrane->order_count) return status;
-  return tb_plate_stress_order(w.shared->def, air->table, w.shared->coupled, air->m, &w.forms,
-                               coupled_modes(&w, modes, order->mode_count), vectors, arena, scratch,
-                               w.shared->membrane);
+  const Plates *plates = context;
+  Work work[TB_HEADS];
+  uint32_t most = 0;
+  for (uint32_t s = 0; s < plates->count; s++) {
+    work[s] = (Work){.shared = &plates->plate[s], .air = air};
+    const TaborStatus status = prepare_work(&work[s], scratch);
+    if (status != TABOR_OK) return status;
+    most += work[s].count;
+  }
+  if (most == 0) return TABOR_OK;
+  for (uint32_t s = 0; s < plates->count; s++) {
+    order->vectors[s] = tb_arena_doubles(arena, (size_t)most * air->count);
+    order->edge[s] = tb_arena_doubles(arena, most);
+  }
+  if (arena->failed) return TABOR_ERROR_MEMORY;
+  TaborStatus status = TABOR_OK;
+  for (uint32_t s = 0; s < plates->count && status == TABOR_OK; s++) {
+    status = build_plate(&work[s], arena, scratch, order, modes, room);
+  }
+  return status;
+}
+
+/* A hi-hat's plates are linear. */
+static bool bends_far(const TaborDrumDef *def) {
+  return plates_of(def) == 1u && def->plate.large_deflections > 0.0;
+}
+
+static void prepare_shared(Shared *shared, const TaborDrumDef *def, uint32_t surface,
+                           TbBodyLimits limits, TbBody *body) {
+  *shared = (Shared){.def = definition_of(def, surface),
+                     .surface = surface,
+                     .limit = 2.0 * PI * body->bandwidth,
+                     .coupled = bends_far(def) ? limits.coupled : 0.0,
+                     .membrane = &body->membrane};
+  shared->top = MARGIN * highest_lambda(&shared->def, body->bandwidth, limits);
+}
+
+static bool prepare_membrane(TbBody *body, TbArena *arena, const Shared *shared) {
+  if (shared->coupled == 0.0) return true;
+  const TaborDrumDef *def = &shared->def;
+  body->membrane.top =
+    shared->coupled * shared->coupled / square_per_omega(def, mean_thickness(&def->plate));
+  const uint32_t orders = (uint32_t)shared->coupled + 1u;
+  return tb_plate_stress_begin(def, shared->coupled, orders, arena, &body->membrane);
 }
 
 static TaborStatus prepare(TbBody *body, TbArena *arena, const TaborDrumDef *def, double bandwidth,
                            TbBodyLimits limits) {
-  *body = (TbBody){
-    .surfaces = 1, .most_modes = limits.modes, .radius = def->shell.radius, .free_edge = true};
+  Plates plates = {.count = plates_of(def)};
+  *body = (TbBody){.surfaces = plates.count,
+                   .most_modes = limits.modes,
+                   .radius = def->shell.radius,
+                   .free_edge = true};
   sheets(def, body->sheet);
   const double basis_top = basis(def, bandwidth, limits, &body->bandwidth);
-  Shared shared = {.def = def,
-                   .limit = 2.0 * PI * body->bandwidth,
-                   .top = MARGIN * highest_lambda(def, bandwidth, limits),
-                   .coupled = def->plate.large_deflections > 0.0 ? limits.coupled : 0.0,
-                   .membrane = &body->membrane};
   TbArena scratch;
   tb_arena_beside(&scratch, arena);
-  TaborStatus status = TABOR_OK;
-  if (shared.coupled > 0.0) {
-    body->membrane.top =
-      shared.coupled * shared.coupled / square_per_omega(def, mean_thickness(&def->plate));
-    const uint32_t orders = (uint32_t)shared.coupled + 1u;
-    if (!tb_plate_stress_begin(def, shared.coupled, orders, arena, &body->membrane))
-      status = TABOR_ERROR_MEMORY;
+  double top = 0.0;
+  bool done = true;
+  for (uint32_t s = 0; s < plates.count; s++) {
+    Shared *shared = &plates.plate[s];
+    prepare_shared(shared, def, s, limits, body);
+    top = fmax(top, shared->top);
+    done = done && prepare_membrane(body, arena, shared) &&
+           tb_plate_points(&shared->def, shared->top, &scratch, &shared->points);
   }
-  if (!tb_plate_points(def, shared.top, &scratch, &shared.points)) status = TABOR_ERROR_MEMORY;
-  if (status == TABOR_OK) {
-    status =
-      tb_body_build_orders(body, arena, basis_top, (uint32_t)shared.top + 3u, build_order, &shared);
-  }
+  const TaborStatus status =
+    done ? tb_body_build_orders(body, arena, basis_top, (uint32_t)top + 3u, build_order, &plates)
+         : TABOR_ERROR_MEMORY;
   tb_arena_release(&scratch);
   return status;
 }
 
 /* Modes in air take sums over their Bessel functions, as those of an open head: see
  * bodies/drum/drum_cost.c. */
-static TbBodyCost cost(const TaborDrumDef *def, const TaborDrumDef *resolved, double basis_top,
+static TbBodyCost cost(const TaborDrumDef *asked, const TaborDrumDef *resolved, double basis_top,
                        double bandwidth, uint32_t most_modes) {
-  (void)def;
-  const double square =
-    2.0 * PI * bandwidth * square_per_omega(resolved, mean_thickness(&resolved->plate));
-  const double modes = fmin(most_modes, 0.25 * square + 1.5 * sqrt(square) + 3.0);
+  (void)asked;
   const bool air = resolved->air.density > 0.0;
+  double modes = 0.0;
+  for (uint32_t s = 0; s < plates_of(resolved); s++) {
+    const TaborDrumDef def = definition_of(resolved, s);
+    const double square = 2.0 * PI * bandwidth * square_per_omega(&def, mean_thickness(&def.plate));
+    modes += 0.25 * square + 1.5 * sqrt(square) + 3.0;
+  }
+  modes = fmin(most_modes, modes);
   return (TbBodyCost){.modes = modes, .prepare = 1e-3 + (air ? 1e-6 : 1e-7) * modes * basis_top};
 }
 

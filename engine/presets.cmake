@@ -27,6 +27,7 @@ set(TABOR_PRESETS
     ride-22
     splash-10
     china-18
+    hihat-14
     snare-funk-tight
     snare-ballad-deep
     snare-seventies-dead

@@ -17,7 +17,8 @@
 static double t60(double decay_rate) { return log(1000.0) / decay_rate; }
 
 static const char *part_word(TaborModePart part) {
-  static const char *const words[] = {"batter", "resonant", "both", "cavity", "rim", "plate"};
+  static const char *const words[] = {"batter", "resonant", "both",  "cavity",
+                                      "rim",    "plate",    "bottom"};
   return words[part];
 }
 

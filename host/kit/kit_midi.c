@@ -7,7 +7,7 @@
 /* ---- set-up --------------------------------------------------------------------------------- */
 
 /* The strokes of both have the same order. */
-_Static_assert((int)MIDI_STROKE_EDGE == (int)TABOR_KIT_STROKE_EDGE &&
+_Static_assert((int)MIDI_STROKE_PEDAL == (int)TABOR_KIT_STROKE_PEDAL &&
                  (int)MIDI_STROKE_HEAD == (int)TABOR_KIT_STROKE_HEAD,
                "strokes of notes");
 
@@ -219,8 +219,8 @@ static bool has_sample(const KitMidi *midi, uint8_t note) {
 }
 
 uint32_t kit_midi_address(const KitMidi *midi, uint8_t note) {
-  if (midi->owner[note] != KIT_MIDI_NOBODY) return midi->owner[note];
-  return has_sample(midi, note) ? TABOR_KIT_NOTE + midi->general[note] : KIT_MIDI_NOWHERE;
+  if (has_sample(midi, note)) return TABOR_KIT_NOTE + midi->general[note];
+  return midi->owner[note] != KIT_MIDI_NOBODY ? midi->owner[note] : KIT_MIDI_NOWHERE;
 }
 
 static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEvent *event) {
@@ -229,10 +229,10 @@ static uint32_t take_note(KitMidi *midi, const MidiMessage *message, TaborKitEve
   const bool strikes = midi_kind(message) == MIDI_NOTE_ON && message->data[1] > 0;
   if (channel != MIDI_OMNI && channel != midi_channel(message)) return 0;
   uint32_t count = 0;
-  if (owner != KIT_MIDI_NOBODY) {
-    count = take_for(midi, owner, message, event);
-  } else if (has_sample(midi, note)) {
+  if (has_sample(midi, note)) {
     count = take_for_sample(midi, message, event);
+  } else if (owner != KIT_MIDI_NOBODY) {
+    count = take_for(midi, owner, message, event);
   } else if (strikes) {
     midi->unknown[note]++;
   }

@@ -4,7 +4,7 @@
  * Converts MIDI messages to events of a kit. Each drum has its own converter (midi_to_events.h)
  * with the default map of controllers and the kit's notes: a note, its end and its key pressure go
  * to the drum that the note plays; controllers, channel pressure and silences go to all drums.
- * Program changes do nothing.
+ * Program changes do nothing. A sample is the user's own and takes its note from a drum.
  *
  * With a map by name (kit_map.h) notes are those of that instrument. The controllers 16 and 17 then
  * do not move all drums: one controller moves the strokes of drums that play General MIDI's snare

@@ -50,7 +50,8 @@ static void take_stroke(const LibrarySound *sound, KitMidi *midi, TaborEvent *ev
   const MidiMessage note = {0x99, {sound->keys[0], (uint8_t)sound->midi}};
   TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   kit_midi_rest(midi);
-  if (kit_midi_take(midi, &note, events) == 1) *event = events[0].event;
+  const uint32_t count = kit_midi_take(midi, &note, events);
+  if (count > 0) *event = events[count - 1u].event; /* after the pedal's move */
 }
 
 static bool name_sound(const LibraryRequest *request, const char *drum, LibrarySound *sound) {

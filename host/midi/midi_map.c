@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-const char *const midi_stroke_names[] = {"none",  "head", "rimshot", "cross-stick", "rim", "buzz",
-                                         "sweep", "bell", "bow",     "edge",        NULL};
+const char *const midi_stroke_names[] = {"none",   "head",  "rimshot", "cross-stick", "rim",
+                                         "buzz",   "sweep", "bell",    "bow",         "edge",
+                                         "closed", "open",  "pedal",   NULL};
 
 static void map_note(MidiMap *map, uint8_t note, MidiStroke stroke) {
   map->notes[note].stroke = stroke;
@@ -21,6 +22,9 @@ static void map_notes(MidiMap *map) {
   map_note(map, 37, MIDI_STROKE_CROSS_STICK);
   map_note(map, 39, MIDI_STROKE_RIM);
   map_note(map, 40, MIDI_STROKE_RIMSHOT);
+  map_note(map, 42, MIDI_STROKE_CLOSED);
+  map_note(map, 44, MIDI_STROKE_PEDAL);
+  map_note(map, 46, MIDI_STROKE_OPEN);
 }
 
 static void map_controls(MidiMap *map) {
@@ -28,9 +32,9 @@ static void map_controls(MidiMap *map) {
     uint8_t controller;
     MidiTarget target;
   } rows[] = {
-    {1, MIDI_TARGET_GRIP},      {7, MIDI_TARGET_GAIN},      {11, MIDI_TARGET_GAIN},
-    {16, MIDI_TARGET_RADIUS},   {17, MIDI_TARGET_ANGLE},    {20, MIDI_TARGET_STRAINER},
-    {120, MIDI_TARGET_SILENCE}, {123, MIDI_TARGET_SILENCE},
+    {1, MIDI_TARGET_GRIP},    {7, MIDI_TARGET_GAIN},      {11, MIDI_TARGET_GAIN},
+    {16, MIDI_TARGET_RADIUS}, {17, MIDI_TARGET_ANGLE},    {20, MIDI_TARGET_STRAINER},
+    {4, MIDI_TARGET_OPENING}, {120, MIDI_TARGET_SILENCE}, {123, MIDI_TARGET_SILENCE},
   };
   for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
     map->controls[rows[i].controller].target = rows[i].target;

@@ -10,7 +10,8 @@
  * | 36                    | head, at centre |   | 17          | their angle                   |
  * | 40                    | rimshot         |   | 1           | grip                          |
  * | 37                    | cross-stick     |   | 20          | strainer, 64 is the preset's  |
- * | 39                    | rim             |   | 7 and 11    | gain                          |
+ * | 39                    | rim             |   | 4           | opening of a hi-hat           |
+ * | 42, 44, 46            | closed, pedal, open: of a hi-hat | 7 and 11 | gain                |
  * | others                | none            |   | 120 and 123 | silence                       |
  */
 #ifndef TABOR_HOST_MIDI_MAP_H
@@ -48,6 +49,10 @@ typedef enum MidiStroke {
   MIDI_STROKE_BELL,  /**< of a cymbal, as the next two: with the striker `bell` */
   MIDI_STROKE_BOW,   /**< with the striker `tip` */
   MIDI_STROKE_EDGE,  /**< with the striker `shoulder` */
+  /** of a hi-hat, as the next two: the foot closes it, unless a controller moves the pedal */
+  MIDI_STROKE_CLOSED,
+  MIDI_STROKE_OPEN,  /**< the foot opens it, likewise */
+  MIDI_STROKE_PEDAL, /**< the foot stamps */
   MIDI_STROKE_COUNT
 } MidiStroke;
 
@@ -71,6 +76,7 @@ typedef enum MidiTarget {
   MIDI_TARGET_STRAINER, /**< 0: off, 64: the preset's, 127: on */
   MIDI_TARGET_GAIN,     /**< (value/127)^2; several controllers multiply */
   MIDI_TARGET_SILENCE,  /**< at any value */
+  MIDI_TARGET_OPENING,  /**< of a hi-hat: 0: open, 112: closed, 127: twice as tight */
   MIDI_TARGET_PARAMETER /**< a live parameter, from 0 to 127 over a range */
 } MidiTarget;
 

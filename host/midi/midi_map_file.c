@@ -154,9 +154,10 @@ static Outcome set_note(Reader *reader, size_t key, const char *value) {
 static Outcome set_key(const char *where, const char *value, MidiControl *control) {
   const TaborParameter *const row = tabor_parameter_find(value);
   if (!row) {
-    return refuse("%s '%.80s': unknown; allowed: radius, angle, grip, strainer, gain, silence, "
-                  "none, or a live key as wires.tension",
-                  where, value);
+    return refuse(
+      "%s '%.80s': unknown; allowed: radius, angle, grip, strainer, gain, silence, opening, "
+      "none, or a live key as wires.tension",
+      where, value);
   }
   if (!row->live || strlen(value) >= sizeof control->key) {
     return refuse("%s '%.80s': this key cannot move while the drum plays", where, value);
@@ -168,8 +169,8 @@ static Outcome set_key(const char *where, const char *value, MidiControl *contro
 }
 
 /* In the order of MidiTarget. */
-static const char *const target_names[] = {"none",     "radius", "angle",   "grip",
-                                           "strainer", "gain",   "silence", NULL};
+static const char *const target_names[] = {"none", "radius",  "angle",   "grip", "strainer",
+                                           "gain", "silence", "opening", NULL};
 
 Outcome midi_control_read(const char *where, const char *text, MidiControl *control) {
   for (size_t i = 0; target_names[i]; i++) {

@@ -7,6 +7,8 @@
 static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
 static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
 static const double CROSS_STICK_SPEED = 0.3;   /* of a stroke's: see docs/midi.md */
+static const double PEDAL_SPEED = 0.15;        /* of a stroke's: a foot's */
+static const double PEDAL_CLOSED = 112;        /* the controller's value of a closed hi-hat */
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */
@@ -60,7 +62,9 @@ typedef struct Place {
 
 static const Place PLACES[MIDI_STROKE_COUNT] = {[MIDI_STROKE_BELL] = {0.2, "bell"},
                                                 [MIDI_STROKE_BOW] = {0.65, "tip"},
-                                                [MIDI_STROKE_EDGE] = {0.97, "shoulder"}};
+                                                [MIDI_STROKE_EDGE] = {0.97, "shoulder"},
+                                                [MIDI_STROKE_CLOSED] = {0.65, "tip"},
+                                                [MIDI_STROKE_OPEN] = {0.65, "tip"}};
 
 static uint32_t striker_of(const TaborDrumDef *def, const MidiNote *note) {
   const char *placed = PLACES[note->stroke].striker;
@@ -83,6 +87,9 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->presets = tabor_preset_count();
   binding->grip = find_parameter(def, "hand.grip");
   binding->strainer_parameter = find_parameter(def, "wires.strainer");
+  binding->opening = find_parameter(def, "hihat.opening");
+  binding->open = def->hihat.open;
+  binding->closed = def->hihat.closed;
   for (int i = 0; i < MIDI_VALUES; i++) {
     binding->strikers[i] = striker_of(def, &map->notes[i]);
     if (map->notes[i].stroke == MIDI_STROKE_SWEEP) bind_sweep(def, binding, i);
@@ -128,7 +135,8 @@ static double take_velocity(MidiToEvents *drum, const MidiMessage *message) {
 
 static double stroke_speed(const MidiToEvents *drum, const MidiNote *note, double velocity) {
   const double speed = note->speed * midi_speed(drum->map->response, velocity);
-  return note->stroke == MIDI_STROKE_CROSS_STICK ? CROSS_STICK_SPEED * speed : speed;
+  if (note->stroke == MIDI_STROKE_CROSS_STICK) return CROSS_STICK_SPEED * speed;
+  return note->stroke == MIDI_STROKE_PEDAL ? PEDAL_SPEED * speed : speed;
 }
 
 static uint32_t new_id(MidiToEvents *drum) {
@@ -159,6 +167,7 @@ static TaborTechnique technique_of(MidiStroke stroke) {
   case MIDI_STROKE_RIM: return TABOR_TECHNIQUE_RIM;
   case MIDI_STROKE_BUZZ: return TABOR_TECHNIQUE_BUZZ;
   case MIDI_STROKE_SWEEP: return TABOR_TECHNIQUE_SWEEP;
+  case MIDI_STROKE_PEDAL: return TABOR_TECHNIQUE_PEDAL;
   default: return TABOR_TECHNIQUE_NORMAL;
   }
 }
@@ -176,13 +185,23 @@ static void sweep(MidiToEvents *drum, uint8_t key, double velocity, TaborEvent *
   event->velocity = drum->map->notes[key].speed * drum->binding.sweep_speed[key] * velocity / 64;
 }
 
+/* Notes that need a pedal. */
+static bool needs_pedal(MidiStroke stroke) {
+  return stroke == MIDI_STROKE_CLOSED || stroke == MIDI_STROKE_OPEN || stroke == MIDI_STROKE_PEDAL;
+}
+
+static bool plays(const MidiToEvents *drum, uint8_t key) {
+  const MidiStroke stroke = drum->map->notes[key].stroke;
+  if (drum->binding.strikers[key] == MIDI_NO_BRUSH) return false;
+  return stroke != MIDI_STROKE_NONE && (drum->binding.opening.there || !needs_pedal(stroke));
+}
+
 static bool take_note(MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
   const uint8_t key = message->data[0];
   const MidiNote *const note = &drum->map->notes[key];
   const double velocity = take_velocity(drum, message);
   if (message->data[1] == 0) return end_note(drum, key, action);
-  const bool lacks_brush = drum->binding.strikers[key] == MIDI_NO_BRUSH;
-  if (note->stroke == MIDI_STROKE_NONE || lacks_brush) {
+  if (!plays(drum, key)) {
     drum->counts.ignored_notes++;
     return false;
   }
@@ -265,6 +284,13 @@ static double strainer(double preset, uint8_t value) {
   return preset + (1 - preset) * (value - 64) / 63.0;
 }
 
+static double opening(const MidiBinding *binding, uint8_t value) {
+  if (value <= PEDAL_CLOSED) {
+    return binding->open + (binding->closed - binding->open) * value / PEDAL_CLOSED;
+  }
+  return binding->closed - fabs(binding->closed) * (value - PEDAL_CLOSED) / (127.0 - PEDAL_CLOSED);
+}
+
 static double gain(const MidiToEvents *drum) {
   double product = 1;
   for (int i = 0; i < MIDI_VALUES; i++) {
@@ -316,6 +342,9 @@ static bool move(MidiToEvents *drum, uint8_t number, MidiAction *action) {
     return move_over(&binding->grip, binding->grip.minimum, binding->grip.maximum, value, action);
   case MIDI_TARGET_STRAINER:
     return move_parameter(&binding->strainer_parameter, strainer(binding->strainer, value), action);
+  case MIDI_TARGET_OPENING:
+    drum->pedalled = true;
+    return move_parameter(&binding->opening, opening(binding, value), action);
   case MIDI_TARGET_GAIN: return set_gain(drum, action);
   case MIDI_TARGET_SILENCE: return silence(drum, action);
   case MIDI_TARGET_PARAMETER:
@@ -390,10 +419,23 @@ static bool take_one(MidiToEvents *drum, const MidiMessage *message, MidiAction 
   }
 }
 
+/* Moves the pedal for a note that says where it is. */
+static bool set_pedal(const MidiToEvents *drum, const MidiMessage *message, MidiAction *action) {
+  const MidiBinding *const binding = &drum->binding;
+  if (midi_kind(message) != MIDI_NOTE_ON || message->data[1] == 0 || drum->pedalled) return false;
+  *action = (MidiAction){0};
+  switch (drum->map->notes[message->data[0]].stroke) {
+  case MIDI_STROKE_CLOSED: return move_parameter(&binding->opening, binding->closed, action);
+  case MIDI_STROKE_OPEN: return move_parameter(&binding->opening, binding->open, action);
+  default: return false;
+  }
+}
+
 uint32_t midi_to_events_take(MidiToEvents *drum, const MidiMessage *message,
                              MidiAction actions[MIDI_MOST_ACTIONS]) {
   const int channel = drum->map->channel;
   if (channel != MIDI_OMNI && channel != midi_channel(message)) return 0;
   if (resets_controls(drum, message)) return reset_controls(drum, midi_channel(message), actions);
-  return take_one(drum, message, actions) ? 1 : 0;
+  const uint32_t moved = set_pedal(drum, message, actions) ? 1 : 0;
+  return moved + (take_one(drum, message, actions + moved) ? 1 : 0);
 }

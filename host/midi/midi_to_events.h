@@ -14,6 +14,9 @@
  * if they have moved; hands that pressure has laid on the head are lifted, and a prefix is
  * forgotten. Volume (7) and the places of strokes (16, 17) and the strainer (20) stay.
  *
+ * Notes for a closed and an open hi-hat move its pedal first, until a controller has moved it: then
+ * the foot alone decides.
+ *
  * A sweep note starts at the position of strokes and circles the centre. Its speed is proportional
  * to the velocity and equals the brush's sweep_speed at 64. Controllers of the position then move
  * the brush. Key pressure of the note, and channel pressure during the note, set the pressure of
@@ -60,7 +63,8 @@ typedef struct MidiBinding {
   double sweep_speed[MIDI_VALUES]; /**< of each note that sweeps [m/s] */
   double strainer;                 /**< the preset's strainer */
   uint32_t presets;                /**< number of presets that programs may choose */
-  MidiParameter grip, strainer_parameter;
+  MidiParameter grip, strainer_parameter, opening;
+  double open, closed;                   /**< openings of a hi-hat [m] */
   MidiParameter parameters[MIDI_VALUES]; /**< targets of the controllers */
 } MidiBinding;
 
@@ -79,6 +83,7 @@ typedef struct MidiToEvents {
   uint8_t prefixes[MIDI_CHANNELS]; /**< low bits for the next note's velocity */
   bool hands[2];                   /**< a hand is on the head, by channel and by key pressure */
   bool held[MIDI_VALUES];          /**< notes that are buzzing or sweeping */
+  bool pedalled;                   /**< a controller has moved the pedal of a hi-hat */
   int sweeping;                    /**< note of the latest sweep while it lasts, else -1 */
   uint32_t next_id;                /**< id of the next stroke */
   MidiCounts counts;

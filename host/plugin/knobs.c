@@ -150,7 +150,7 @@ const Knob knobs[KNOB_COUNT] = {
                  .name = "Drum",
                  .group = "drum",
                  .kind = KNOB_REBUILD,
-                 RANGE(0, 45),
+                 RANGE(0, 46),
                  .fallback = 5, /* DEFAULT_PRESET */
                  .unit = "",
                  .choices =
@@ -158,7 +158,7 @@ const Knob knobs[KNOB_COUNT] = {
                    "bodhran-d-string-tensioned|snare-14x5.5|snare-14x5.5-off|snare-14x6.5-loose|"
                    "piccolo-13x3.5|marching-14x12|tom-12|floor-tom-16|bass-drum-22|timpani-26|"
                    "snare-14x8|snare-14x5-steel|tom-10|bass-drum-18|crash-16|ride-20|"
-                   "crash-18|ride-22|splash-10|china-18|snare-funk-tight|"
+                   "crash-18|ride-22|splash-10|china-18|hihat-14|snare-funk-tight|"
                    "snare-ballad-deep|snare-seventies-dead|snare-jazz-open|snare-rock-fat|"
                    "snare-metal-crack|snare-reggae-high|snare-soul-dry|snare-studio-medium|"
                    "snare-garage-trash|snare-orchestral|snare-disco-thud|snare-marching-indoor|"

@@ -64,6 +64,6 @@ static void scatter_speed(Humanizer *humanizer, TaborEvent *event) {
 void humanize(Humanizer *humanizer, double head_radius, TaborEvent *event) {
   if (humanizer->amount == 0 || event->type != TABOR_EVENT_STRIKE) return;
   if (event->technique == TABOR_TECHNIQUE_PLUCK) return; /* a place on a wire, not on a head */
-  scatter_place(humanizer, head_radius, event);
+  if (event->technique != TABOR_TECHNIQUE_PEDAL) scatter_place(humanizer, head_radius, event);
   scatter_speed(humanizer, event);
 }

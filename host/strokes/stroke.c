@@ -94,13 +94,14 @@ const char *const technique_names[TECHNIQUE_NAMES] = {
   [TABOR_TECHNIQUE_NORMAL] = "normal",   [TABOR_TECHNIQUE_BUZZ] = "buzz",
   [TABOR_TECHNIQUE_RIMSHOT] = "rimshot", [TABOR_TECHNIQUE_CROSS_STICK] = "cross-stick",
   [TABOR_TECHNIQUE_RIM] = "rim",         [TABOR_TECHNIQUE_SWEEP] = "sweep",
-  [TABOR_TECHNIQUE_PLUCK] = "pluck",
+  [TABOR_TECHNIQUE_PLUCK] = "pluck",     [TABOR_TECHNIQUE_PEDAL] = "pedal",
 };
 
 /* The order in which they are suggested. */
 static const TaborTechnique techniques[TECHNIQUE_NAMES] = {
-  TABOR_TECHNIQUE_NORMAL, TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK, TABOR_TECHNIQUE_RIM,
-  TABOR_TECHNIQUE_BUZZ,   TABOR_TECHNIQUE_SWEEP,   TABOR_TECHNIQUE_PLUCK};
+  TABOR_TECHNIQUE_NORMAL, TABOR_TECHNIQUE_RIMSHOT, TABOR_TECHNIQUE_CROSS_STICK,
+  TABOR_TECHNIQUE_RIM,    TABOR_TECHNIQUE_BUZZ,    TABOR_TECHNIQUE_SWEEP,
+  TABOR_TECHNIQUE_PEDAL,  TABOR_TECHNIQUE_PLUCK};
 
 static const char *technique_at(const void *list, size_t index) {
   (void)list;
@@ -297,6 +298,9 @@ bool striker_can(const TaborStrikerDef *striker, TaborTechnique technique) {
 }
 
 static Outcome fit_technique(const Stroke *stroke, const TaborEvent *event) {
+  if (event->technique == TABOR_TECHNIQUE_PEDAL && stroke->def->body.kind != TABOR_BODY_HIHAT) {
+    return refuse("%s technique 'pedal': the drum has no pedal", stroke->where);
+  }
   const TaborStrikerDef *const striker = &stroke->def->striker[event->striker];
   const char *const technique = technique_names[event->technique];
   if (!striker_can(striker, (TaborTechnique)event->technique)) {

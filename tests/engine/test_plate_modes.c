@@ -247,7 +247,7 @@ static void modes_have_unit_mass_and_are_orthogonal(void **state) {
     const double r = def.shell.radius * (i + 0.5) / POINTS;
     const double ring = def.plate.density * def.plate.thickness * r * def.shell.radius / POINTS;
     tb_body_radial(&model->body, 0, r, NULL, radial);
-    tb_body_add_lift(&model->body, r, radial);
+    tb_body_add_lift(&model->body, 0, r, radial);
     for (uint32_t a = 0; a < rows; a++) {
       for (uint32_t b = 0; b < rows; b++) sums[a * rows + b] += ring * radial[a] * radial[b];
     }
@@ -285,7 +285,7 @@ static void the_energy_account_closes(void **state) {
     TaborDrum *drum = physics_drum(model);
     TaborEvent strokes[7];
     for (uint32_t i = 0; i < 7; i++) {
-      const bool sweeps = i == TABOR_TECHNIQUE_SWEEP || i == TABOR_TECHNIQUE_PLUCK;
+      const bool sweeps = i == TABOR_TECHNIQUE_SWEEP || i == TABOR_TECHNIQUE_PEDAL;
       strokes[i] = (TaborEvent){.frame = 1000 * i,
                                 .type = TABOR_EVENT_STRIKE,
                                 .technique = sweeps ? TABOR_TECHNIQUE_NORMAL : (TaborTechnique)i,

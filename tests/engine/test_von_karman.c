@@ -225,7 +225,7 @@ static void one_mode_hardens_along_its_backbone(void **state) {
   (void)lowest_pair(model, &mode);
   double *radial = calloc(model->body.row_count, sizeof *radial);
   tb_body_radial(&model->body, 0, def.shell.radius, NULL, radial);
-  tb_body_add_lift(&model->body, def.shell.radius, radial);
+  tb_body_add_lift(&model->body, 0, def.shell.radius, radial);
   const double edge = fabs(radial[model->modes.row[mode]]);
   const double still = swing(model, mode, 1e-6);
   for (double ratio = 0.05; ratio < 0.25; ratio *= 2.0) {

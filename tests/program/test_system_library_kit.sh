@@ -89,7 +89,7 @@ refused "holds another library, with small.note.40 .rimshot., not .rim." \
 refused "--kit and --positions" library --kit standard --positions 3 -o none
 refused "--kit and 'tom-12'" library tom-12 --kit standard -o none
 refused "unknown kit 'standart'.*did you mean 'standard'" library --kit standart -o none
-refused "make 40640 sounds of 10 kinds of stroke; allowed: up to 4096" \
+refused "make 52832 sounds of 13 kinds of stroke; allowed: up to 4096" \
   library --kit standard --velocities 127 --takes 32 -o none
 check "nothing was made for what was refused" test ! -e none
 

@@ -463,5 +463,5 @@ void take_compare(const Take *expected, const Take *take, uint32_t block) {
                (unsigned)at, (double)take->sound[i][at], (double)expected->sound[i][at]);
     }
   }
-  assert_true(take_peak(take) > 1e-3); /* a soft stroke on a cymbal is heard, too */
+  assert_true(take_peak(take) > 1e-4); /* a cymbal that hums along is heard, too */
 }

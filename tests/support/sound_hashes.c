@@ -246,6 +246,8 @@ static void play_muffle(Performance *p) {
 static void move_parameters(Performance *p, uint32_t thousandth, double part) {
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *row = tabor_parameter(i);
+    const bool pedal = strcmp(row->section, "hihat") == 0;
+    if (pedal && p->def->body.kind != TABOR_BODY_HIHAT) continue;
     if (!row->live) continue;
     const double value = row->fallback + part * (row->maximum - row->fallback);
     parameter(p, thousandth++, row, p->def->mic_count - 1, value);

@@ -54,7 +54,8 @@ static uint32_t draw_wire_count(uint64_t *seed) {
 /* Keys that are drawn apart; a room takes no part in the drum. */
 static bool is_newer(const TaborParameter *p) {
   return strcmp(p->section, "room") == 0 || strcmp(p->key, "pitch") == 0 ||
-         strcmp(p->section, "plate") == 0 || strcmp(p->key, "bending_frequency") == 0 ||
+         strcmp(p->section, "plate") == 0 || strcmp(p->section, "bottom") == 0 ||
+         strcmp(p->section, "hihat") == 0 || strcmp(p->key, "bending_frequency") == 0 ||
          strncmp(p->key, "lug_", 4) == 0 || strcmp(p->section, "hoop") == 0 ||
          (strcmp(p->section, "shell") == 0 &&
           p->id > tabor_parameter_find("shell.surface_density")->id) ||

@@ -73,7 +73,10 @@ typedef enum TaborKitStroke {
   TABOR_KIT_STROKE_SWEEP,       /**< a brush is drawn over the head until the note ends */
   TABOR_KIT_STROKE_BELL,        /**< of a cymbal: on its bell */
   TABOR_KIT_STROKE_BOW,         /**< of a cymbal: between bell and edge */
-  TABOR_KIT_STROKE_EDGE         /**< of a cymbal: on its edge */
+  TABOR_KIT_STROKE_EDGE,        /**< of a cymbal: on its edge */
+  TABOR_KIT_STROKE_CLOSED,      /**< of a hi-hat: closed by the foot, on its bow */
+  TABOR_KIT_STROKE_OPEN,        /**< of a hi-hat: opened by the foot, on its bow */
+  TABOR_KIT_STROKE_PEDAL        /**< of a hi-hat: the foot stamps on the pedal */
 } TaborKitStroke;
 
 /** One drum of a kit. */

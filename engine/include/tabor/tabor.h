@@ -167,6 +167,10 @@ typedef enum TaborTechnique {
   TABOR_TECHNIQUE_RIM,
   /** A hand draws a brush over the head until it is released. */
   TABOR_TECHNIQUE_SWEEP,
+  /** The foot stamps on the pedal of a hi-hat: it lifts the rod to hihat.lift if that is higher,
+   * then brings it down to hihat.closed with the stroke's speed, at most hihat.speed, and keeps it
+   * there. */
+  TABOR_TECHNIQUE_PEDAL,
   /** A finger pulls a wire away from the head and lets go. */
   TABOR_TECHNIQUE_PLUCK
 } TaborTechnique;
@@ -222,11 +226,15 @@ typedef struct TaborPlateDef {
  * A hi-hat: the plate of [plate] above that of [bottom], both of the radius R, on one rod. Strokes
  * meet the upper one. The foot of the spring on which it bounces (heave_frequency) moves with the
  * pedal, so that at rest the edges would be `opening` apart where the gap is least, or pressed
- * together. Where they meet, each length ds of the edge bears K eta^alpha (1 + lambda eta_t) ds, eta
+ * together. Each length ds of edges that meet bears K eta^alpha (1 + lambda eta_t) ds, eta
  * the penetration.
  */
 typedef struct TaborHihatDef {
-  double opening;           /**< between the edges [m], -0.01 to 0.03, default 0.008; live */
+  double opening; /**< between the edges [m], -0.01 to 0.03, default -0.0015; live */
+  /** Openings [m], -0.01 to 0.03: what the foot's stroke and notes for a closed hi-hat bring it to,
+   * default -0.0015; notes for an open one, default 0.008; from where the foot stamps, default
+   * 0.005. */
+  double closed, open, lift;
   double speed;             /**< of the pedal's rod at most [m/s], 0.01 to 10, default 1.5 */
   double tilt;              /**< the widest gap less the least [m], 0 to 0.02, default 0.0016 */
   double unevenness;        /**< of the edges, at most [m], 0 to 0.005, default 1e-4 */
@@ -451,7 +459,7 @@ typedef struct TaborStrikeDef {
   double radius; /**< distance from the centre [m], 0 to 0.6 and up to the shell's, default 0.05 */
   double angle;  /**< [deg], -360 to 360, default 0 */
   char striker[TABOR_NAME_SIZE]; /**< its striker's name; "" means the first */
-  uint32_t technique;            /**< a TaborTechnique, default normal; sweep needs a brush */
+  uint32_t technique; /**< a TaborTechnique, default normal; sweep needs a brush, pedal a hi-hat */
 } TaborStrikeDef;
 
 /** Frequency response of a microphone, without latency and 0 dB at 1 kHz. Each but flat is typical
@@ -937,7 +945,7 @@ typedef enum TaborEventType {
    * the wire, radius the place along it as a part of its length, 0 to 1, value the displacement to
    * which the finger would pull it if it touched nothing [m], 0 to 0.05, and velocity the mean
    * speed of the pull [m/s]: it lets go after value/velocity, 0.1 ms to 10 s. Its work is booked as
-   * injected. A swap lets go. */
+   * injected. A swap lets go. A pedal's stroke has the velocity alone. */
   TABOR_EVENT_STRIKE = 1,
   /** Presses strikers in play onto the head, or changes their pressure: id (0 for all), value. The
    * values 0 to 1 are 0.3 to 8 N in equal ratios at a grip of 0.5. Pressed strikers bounce (a

@@ -4,9 +4,9 @@
  * A body has one or two surfaces that strikers, wires and air touch. In the angular order m, mode k
  * moves surface s upward as
  *   w = (Sum_i v_i J_m(z_i r/R) + e (r/R)^m) {cos, sin}(m theta),  J_m(z_i) = 0,
- * v_i = vectors[s][k][i], e = edge[s][k] the motion of the edge. The sum vanishes at the edge, and its
- * coefficients fall as z_i^-3 where w is smooth, so that both together hold any edge. Normal modes
- * are scaled to unit modal mass [1 kg]; a shape value has unit 1.
+ * v_i = vectors[s][k][i], e = edge[s][k] the motion of the edge. The sum vanishes at the edge, and
+ * its coefficients fall as z_i^-3 where w is smooth, so that both together hold any edge. Normal
+ * modes are scaled to unit modal mass [1 kg]; a shape value has unit 1.
  *
  * Everything after the set-up of a body sees this list alone. A kind of body (TbBodyKind) makes the
  * list; one folder below this one is one kind. Set-up only, where nothing else is said. */

@@ -195,11 +195,14 @@ typedef enum TbParamId {
   TB_PARAM_HIHAT_POINTS = 1705,
   TB_PARAM_HIHAT_CONTACT_STIFFNESS = 1706,
   TB_PARAM_HIHAT_CONTACT_EXPONENT = 1707,
-  TB_PARAM_HIHAT_CONTACT_LOSS = 1708
+  TB_PARAM_HIHAT_CONTACT_LOSS = 1708,
+  TB_PARAM_HIHAT_CLOSED = 1709,
+  TB_PARAM_HIHAT_OPEN = 1710,
+  TB_PARAM_HIHAT_LIFT = 1711
 } TbParamId;
 
-/** Structure of a row's section: one struct; structs that may be absent (resonant, plate, hihat); or
- * an array of elements with a number or a name. */
+/** Structure of a row's section: one struct; structs that may be absent (resonant, plate, hihat);
+ * or an array of elements with a number or a name. */
 typedef enum TbGroup {
   TB_GROUP_SINGLE,
   TB_GROUP_RESONANT,

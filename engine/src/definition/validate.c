@@ -191,6 +191,10 @@ static TaborStatus check_strike(const TaborDrumDef *def, TaborError *error) {
   if (striker < 0) {
     return tb_refuse_name(def, false, "strike.striker", def->strike.striker, error);
   }
+  if (def->strike.technique == TABOR_TECHNIQUE_PEDAL && def->body.kind != TABOR_BODY_HIHAT) {
+    return tb_error_set(error, TABOR_ERROR_RANGE, "strike.technique", "pedal", NAN, NAN,
+                        "strike.technique = pedal: the drum has no pedal");
+  }
   const bool sweeps = def->strike.technique == TABOR_TECHNIQUE_SWEEP;
   if (!sweeps || def->striker[striker].kind == TABOR_STRIKER_BRUSH) return TABOR_OK;
   return tb_error_set(error, TABOR_ERROR_RANGE, "strike.technique", "sweep", NAN, NAN,

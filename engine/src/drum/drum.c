@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "drum/frame.h"
+#include "heads/pedal.h"
 #include "kernels/flush_denormals.h"
 #include "math/checksum.h"
 #include "state/event_budget.h"
@@ -52,8 +53,15 @@ static bool pluck(TbView *view, const TaborEvent *event) {
   return true;
 }
 
+static bool stamp(TbView *view, const TaborEvent *event) {
+  if (!tb_pedal_stamp(view, clamp(event->velocity, 0.01, 30.0))) return false;
+  view->state->ledger.statistics.strikes++;
+  return true;
+}
+
 static bool strike(TbView *view, const TaborEvent *event) {
   if (event->technique == TABOR_TECHNIQUE_PLUCK) return pluck(view, event);
+  if (event->technique == TABOR_TECHNIQUE_PEDAL) return stamp(view, event);
   if (event->striker >= view->model->def.striker_count) return false;
   if (event->technique > TABOR_TECHNIQUE_SWEEP) return false;
   const TbStroke stroke = {.id = event->id,

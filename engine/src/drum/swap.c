@@ -185,6 +185,7 @@ static TbLiveParam at_steps(TbLiveParam live, double ratio) {
 
 /* A live value that the player moved, or that both definitions share, goes on as it is. */
 static void carry_live(const TbView *from, TbView *to, double ratio) {
+  to->state->live.stamp = from->state->live.stamp;
   TbLiveParam fresh[TB_LIVE_COUNT], old_fresh[TB_LIVE_COUNT];
   memcpy(fresh, to->state->live.values, sizeof fresh);
   tb_live_params_definition(from->model, old_fresh);

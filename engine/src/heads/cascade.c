@@ -33,8 +33,7 @@ static double passed(double rate, double low, double here, double above) {
 static void scale_band(TbView *view, uint32_t band, double factor) {
   const TbCascade *cascade = &view->model->cascade;
   for (uint32_t i = cascade->first[band]; i < cascade->first[band + 1u]; i++) {
-    view->now.q[cascade->mode[i]] *= factor;
-    view->last.q[cascade->mode[i]] *= factor;
+    tb_mode_scale(view, cascade->mode[i], factor);
   }
 }
 
@@ -55,8 +54,8 @@ static double along(const TbView *view, uint32_t band, uint64_t draw) {
   for (uint32_t i = 0; i < size_of(cascade, band); i++) {
     const uint32_t mode = cascade->mode[cascade->first[band] + i];
     const double velocity = (view->now.q[mode] - view->last.q[mode]) * model->step_rate;
-    const double c =
-      velocity - 0.5 * model->modes.stiffness[mode] * model->time_step * view->now.q[mode];
+    const double moved = view->now.q[mode] - tb_mode_held(view, mode);
+    const double c = velocity - 0.5 * model->modes.stiffness[mode] * model->time_step * moved;
     sum += sign_of(&bits, draw, i) ? c : -c;
   }
   return sum;

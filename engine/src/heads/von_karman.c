@@ -164,9 +164,7 @@ void tb_von_karman_return(TbView *view, double excess) {
   if (!(square > 0.0)) return;
   for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
     const uint32_t mode = plate->mode[i];
-    if (mode == TB_NO_MODE) continue;
-    view->now.q[mode] *= factor;
-    view->last.q[mode] *= factor;
+    if (mode != TB_NO_MODE) tb_mode_scale(view, mode, factor);
   }
   *view->now.psi = sqrt(square);
 }

@@ -54,7 +54,8 @@ double tb_kit_field_value(const TbKitField *field, const void *fields) {
 
 const char *tb_kit_stroke_word(uint32_t stroke) {
   static const char *const WORDS[TB_KIT_STROKES] = {
-    NULL, "head", "rimshot", "cross-stick", "rim", "buzz", "sweep", "bell", "bow", "edge"};
+    NULL,   "head", "rimshot", "cross-stick", "rim",  "buzz", "sweep",
+    "bell", "bow",  "edge",    "closed",      "open", "pedal"};
   return stroke < TB_KIT_STROKES ? WORDS[stroke] : NULL;
 }
 

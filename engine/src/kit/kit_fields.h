@@ -27,7 +27,7 @@ double tb_kit_field_value(const TbKitField *field, const void *fields);
 
 /* Words of strokes by TaborKitStroke; NULL for none. */
 const char *tb_kit_stroke_word(uint32_t stroke);
-#define TB_KIT_STROKES 10u
+#define TB_KIT_STROKES 13u
 
 /* The note of a section "note.N" or of a key in it, whose rest *rest points to; -1: it is none. */
 int tb_kit_note_parse(const char *text, const char **rest);

@@ -10,7 +10,7 @@
 #include "math/portable_math.h"
 #include "model/body_kind.h"
 #include "model/quality_level.h"
-#include "model/wires.h"
+#include "model/rims.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -76,7 +76,7 @@ static TaborStatus measure(const TaborDrumDef *asked, uint32_t quality, double s
   const double basis_top = kind->basis(def, level.bandwidth, limits, &bandwidth);
   kind->sheets(def, sheet);
   const TaborStatus status =
-    tb_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
+    tb_rims_or_wires_prepare(&wires, &scratch, def, 1.0 / step_rate, level.wire_cells, error);
   *body = kind->cost(asked, def, basis_top, bandwidth, limits.modes);
   *s = (Sizes){.modes = body->modes, .classes = 1.0};
   s->top_zero = wave_zero(def, &sheet[0], level.top);

@@ -37,9 +37,11 @@ static Scale scale_of(const TaborModel *model) {
 /* x^a of x > 0. */
 static double power(double x, double a) { return tb_exp(a * tb_log(x)); }
 
+/* The frequency of a mode that takes part; else -1 [Hz]. */
 static double frequency_of(const TaborModel *model, uint32_t mode) {
   const uint32_t row = model->modes.row[mode];
-  return row == TB_NO_MODE ? -1.0 : model->body.modes[row].omega / (2.0 * PI);
+  if (row == TB_NO_MODE || model->body.modes[row].part != TABOR_PART_PLATE) return -1.0;
+  return model->body.modes[row].omega / (2.0 * PI);
 }
 
 /* Appends the modes from `from` to `to` [Hz]; returns their number. */

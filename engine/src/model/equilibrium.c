@@ -56,7 +56,7 @@ static void weigh_head(const TaborModel *model, double *weight) {
   }
 }
 
-/* What the rod of a hi-hat adds. */
+/* The rod of a hi-hat. */
 static void push_rod(const TaborModel *model, double *weight) {
   const TbRod *rod = &model->rod;
   for (uint32_t i = 0; i < rod->count; i++) {

@@ -372,8 +372,8 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   if (tb_body_kind(&model->def)->all_two_way) model->top = model->body.bandwidth; /* no high band */
   relax_large(model, level);
   model->axis = axis_of(&model->def);
-  status = tb_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
-                            level->wire_cells, error);
+  status = tb_rims_or_wires_prepare(&model->wires, &model->arena, &model->def, model->time_step,
+                                    level->wire_cells, error);
   if (status != TABOR_OK) return status;
   model->rows = tb_rows(model->wires.stride);
 

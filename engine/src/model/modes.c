@@ -87,7 +87,7 @@ void tb_modes_turn(const TbModes *modes, const TbBody *body, const double *radia
   }
 }
 
-/* What closes the gap between the edges of two plates. */
+/* How far each mode closes the gap between the edges of two plates. */
 static void closing(const TbBody *body, double *radial) {
   for (uint32_t m = 0; m < body->order_count; m++) {
     const TbBodyOrder *order = &body->orders[m];

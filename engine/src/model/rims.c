@@ -39,7 +39,7 @@ static void place(TbWires *wires, const TaborDrumDef *def, uint32_t row) {
                       0.5 * hihat->unevenness * (1.0 + tb_draw(hihat->seed, row));
 }
 
-TaborStatus tb_rims_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def) {
+static TaborStatus rims_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def) {
   const uint32_t points = def->hihat.points;
   *wires = (TbWires){.rims = true,
                      .count = 1u,
@@ -56,16 +56,23 @@ TaborStatus tb_rims_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *
   return TABOR_OK;
 }
 
+TaborStatus tb_rims_or_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
+                                     double time_step, uint32_t most_cells, TaborError *error) {
+  if (def->body.kind == TABOR_BODY_HIHAT) return rims_prepare(wires, arena, def);
+  return tb_wires_prepare(wires, arena, def, time_step, most_cells, error);
+}
+
 TaborStatus tb_rod_prepare(TbRod *rod, TbArena *arena, const TbModes *modes, const TbBody *body) {
   const uint32_t felt = modes->group[modes->groups];
   *rod = (TbRod){0};
   rod->mode = tb_arena_take(arena, felt, sizeof *rod->mode);
   rod->push = tb_arena_doubles(arena, felt);
+  rod->all = tb_arena_doubles(arena, modes->padded);
   if (arena->failed) return TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < felt; i++) {
     if (modes->row[i] == TB_NO_MODE || body->modes[modes->row[i]].rod == 0.0) continue;
     rod->mode[rod->count] = i;
-    rod->push[rod->count++] = body->modes[modes->row[i]].rod;
+    rod->all[i] = rod->push[rod->count++] = body->modes[modes->row[i]].rod;
   }
   return TABOR_OK;
 }

@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT */
 /* The edges of a hi-hat's two plates, which meet, and the rod that holds the upper one.
  *
- * Edges meet at `points` places evenly spaced around them. Each bears the contact law of hihat.* for
- * its length 2 pi R/points of the edge. Its penetration is
+ * Edges meet at `points` places evenly spaced around them. Each bears the contact law of hihat.*
+ * for its length 2 pi R/points of the edge. Its penetration is
  *   eta_j = w_bottom(R, theta_j) - w_top(R, theta_j) - gap_j,
  *   gap_j = tilt (1 - cos theta_j)/2 + unevenness (draw_j + 1)/2,
- * w upward from where both plates' edges would just meet if all were even. The places take the part
- * of wires' contact points in the solve (model/wires.h): a wire that does not move, bent as the gap
- * is. So they have a grid, laws, a rest state, energies and a clearance as wires do.
+ * w upward from where both plates' edges would just meet if all were even. The places take the
+ * part of wires' contact points in the solve (model/wires.h): a wire that does not move, bent as
+ * the gap is. So they have a grid, laws, a rest state, energies and a clearance as wires do.
  *
  * The upper plate bounces on the spring of its mount. When the spring's foot rises by z, the force
- * on mode i is rod_i z (TbBodyMode.rod), which is M omega_heave^2 z on the rigid motion. At rest z is
- * hihat.opening; what the pedal adds later is a force whose work the ledger books (step/pedal.h).
+ * on mode i is rod_i z (TbBodyMode.rod), which is M omega_heave^2 z on the rigid motion. At rest z
+ * is hihat.opening; what the pedal adds later is a force whose work the ledger books
+ * (heads/pedal.h).
  *
  * Limit: two rigid plates on soft mounts whose edges touch all around carry the rod's force, in
  * equal parts. */
@@ -26,10 +27,13 @@ typedef struct TbRod {
   uint32_t count;
   uint32_t *mode; /* [count] */
   double *push;   /* [count]: TbBodyMode.rod */
+  double *all;    /* [modes padded]: the same of each mode */
 } TbRod;
 
-/* Prepares the edges' places in the room of a wire. Returns TABOR_ERROR_MEMORY on failure. */
-TaborStatus tb_rims_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def);
+/* Prepares what the body touches: a hi-hat's edges in the room of a wire, or a drum's wires.
+ * Returns what tb_wires_prepare() returns. */
+TaborStatus tb_rims_or_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
+                                     double time_step, uint32_t most_cells, TaborError *error);
 
 /* Prepares the rod for modes that the edges feel; without a hi-hat, an empty one. */
 TaborStatus tb_rod_prepare(TbRod *rod, TbArena *arena, const TbModes *modes, const TbBody *body);

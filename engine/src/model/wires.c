@@ -7,7 +7,6 @@
 #include "definition/definition.h"
 #include "definition/error.h"
 #include "math/portable_math.h"
-#include "model/rims.h"
 #include "model/wire_shape.h"
 
 static double smallest_spacing(double tension, double mu, double stiffness, double damping_1,
@@ -176,7 +175,6 @@ static void find_symmetries(TbWires *wires) {
 
 TaborStatus tb_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                              double time_step, uint32_t most_cells, TaborError *error) {
-  if (def->body.kind == TABOR_BODY_HIHAT) return tb_rims_prepare(wires, arena, def);
   const bool above = def->wires.side == TABOR_SIDE_ABOVE;
   *wires = (TbWires){.head = def->wires.head,
                      .count = def->wires.count,

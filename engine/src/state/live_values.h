@@ -52,8 +52,17 @@ static inline bool tb_live_is_gain(const TbLiveParam *live) {
          live->target <= TB_LIVE_MOST_GAIN && fabs(live->step) <= TB_LIVE_MOST_GAIN;
 }
 
+/* The foot's stroke on the pedal of a hi-hat: heads/pedal.h. */
+typedef enum TbStampPhase { TB_STAMP_NONE, TB_STAMP_LIFTS, TB_STAMP_FALLS } TbStampPhase;
+
+typedef struct TbStamp {
+  double speed; /* [m/s] */
+  uint64_t phase;
+} TbStamp;
+
 typedef struct TbLiveValues {
   TbLiveParam values[TB_LIVE_COUNT];
+  TbStamp stamp;
   TbLiveParam output; /* gain of all outputs, which moves even while the drum sleeps */
 } TbLiveValues;
 

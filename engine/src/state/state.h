@@ -93,11 +93,30 @@ static inline void tb_view_lift(TbView *view, bool lifted) {
   view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
 }
 
-/* Energy of a mode between the last two instants [J]. */
+/* Displacement of a mode at which the edges of a hi-hat and its pedal hold it, by the forces of the
+ * last step; 0 of other bodies. */
+static inline double tb_mode_held(const TbView *view, uint32_t mode) {
+  const TaborModel *model = view->model;
+  if (!model->wires.rims || mode >= model->modes.group[model->modes.groups]) return 0.0;
+  const double risen = view->state->live.values[TB_LIVE_OPENING].now - model->def.hihat.opening;
+  const double edges = view->state->wires.lifted ? 0.0 : model->wires.side * view->modal[mode];
+  const double force = model->rod.all[mode] * risen - edges;
+  return model->modes.stiffness[mode] > 0.0 ? force / model->modes.stiffness[mode] : 0.0;
+}
+
+/* Energy of a mode's motion between the last two instants, about where it is held [J]. */
 static inline double tb_mode_energy(const TbView *view, uint32_t mode) {
   const TaborModel *model = view->model;
-  return 0.5 * tb_pole_energy(model->step_rate, model->modes.stiffness[mode], view->now.q[mode],
-                              view->last.q[mode]);
+  const double held = tb_mode_held(view, mode);
+  return 0.5 * tb_pole_energy(model->step_rate, model->modes.stiffness[mode],
+                              view->now.q[mode] - held, view->last.q[mode] - held);
+}
+
+/* Multiplies a mode's motion about where it is held. */
+static inline void tb_mode_scale(const TbView *view, uint32_t mode, double factor) {
+  const double held = tb_mode_held(view, mode);
+  view->now.q[mode] = held + (view->now.q[mode] - held) * factor;
+  view->last.q[mode] = held + (view->last.q[mode] - held) * factor;
 }
 
 static inline TbSlot *tb_slot(const TbView *view, uint32_t slot) {

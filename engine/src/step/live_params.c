@@ -5,6 +5,7 @@
 
 #include "definition/params.h"
 #include "heads/coupling.h"
+#include "heads/pedal.h"
 #include "step/energy.h"
 #include "step/wire_clearance.h"
 #include "strikers/striker_hold.h"
@@ -111,7 +112,7 @@ static bool in_range(const TbLiveParam *live, const TaborParameter *info) {
 }
 
 bool tb_live_params_in_range(const TbState *state) {
-  if (!tb_live_is_gain(&state->live.output)) return false;
+  if (!tb_live_is_gain(&state->live.output) || !tb_stamp_is_right(&state->live.stamp)) return false;
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
     const uint32_t parameter = PARAMETERS[i < TB_LIVE_GAIN ? i : TB_LIVE_GAIN];
     if (!in_range(&state->live.values[i], &tb_param_by_id(parameter)->info)) return false;
@@ -130,6 +131,7 @@ bool tb_live_params_set(TbView *view, uint32_t parameter, uint32_t index, double
   if (first == TB_LIVE_MUFFLE_RESONANT && view->model->body.surfaces < 2) return false;
   if (first == TB_LIVE_OPENING && view->model->rod.count == 0) return false;
   if (first == TB_LIVE_GAIN && index >= view->model->def.mic_count) return false;
+  if (first == TB_LIVE_OPENING) view->state->live.stamp.phase = TB_STAMP_NONE;
   TbLiveParam *live = &view->state->live.values[first + (first == TB_LIVE_GAIN ? (int)index : 0)];
   move_to(live, clamp(value, param->info.minimum, param->info.maximum), view->model->step_rate);
   return true;
@@ -146,9 +148,9 @@ bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
   TbLiveParam *own = view->state->live.values;
   bool moves = false;
   for (uint32_t i = 0; i < TB_LIVE_COUNT; i++) {
-    const bool of_wires = i < TB_LIVE_MUFFLE;
-    if (!of_wires) own[i] = live[i];
-    if (!of_wires || live[i].target == own[i].now) continue;
+    const bool pushes = i < TB_LIVE_MUFFLE || i == TB_LIVE_OPENING;
+    if (!pushes) own[i] = live[i];
+    if (!pushes || live[i].target == own[i].now) continue;
     move_to(&own[i], live[i].target, view->model->step_rate);
     moves = true;
   }
@@ -161,7 +163,7 @@ bool tb_live_params_keep(TbView *view, const TbLiveParam *live) {
 static double slew(const TbView *view, uint32_t index) {
   const double now = view->state->live.values[index].now;
   if (index == TB_LIVE_TENSION) return now * TENSION_SLEW;
-  if (index == TB_LIVE_OPENING) return view->model->def.hihat.speed * view->model->time_step;
+  if (index == TB_LIVE_OPENING) return tb_pedal_speed(view) * view->model->time_step;
   return INFINITY;
 }
 
@@ -213,8 +215,11 @@ static void move_wires(TbView *view) {
 }
 
 void tb_live_params_step(TbView *view) {
+  const TbLiveParam *live = view->state->live.values;
   for (uint32_t i = TB_LIVE_FULL_SCALE; i < TB_LIVE_COUNT; i++) {
-    if (advance(view, i) && i == TB_LIVE_GRIP) tb_hold_regrip(view);
+    if (live[i].left == 0 || !advance(view, i)) continue;
+    if (i == TB_LIVE_GRIP) tb_hold_regrip(view);
+    if (i == TB_LIVE_OPENING) tb_pedal_follow(view);
   }
   move_mufflers(view);
   move_wires(view);

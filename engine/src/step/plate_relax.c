@@ -5,7 +5,9 @@
 #include "heads/cascade.h"
 #include "heads/coupling.h"
 #include "heads/von_karman.h"
+#include "step/energy.h"
 #include "strikers/striker_pool.h"
+#include "wires/wire_motion.h"
 
 /* The surface moves by less than this when modes are changed [m]. */
 static const double MARGIN = 2e-3;
@@ -38,6 +40,16 @@ static void add_displacements(TbView *view, double sign) {
   }
 }
 
+/* The edges of a hi-hat follow. The energy that their contacts and the held modes gain by that is
+ * the work of who holds them. */
+static void move_edges(TbView *view, double before) {
+  if (!view->state->wires.lifted) {
+    tb_penetrations_from_displacements(view, &view->now);
+    tb_penetrations_from_displacements(view, &view->last);
+  }
+  view->state->ledger.sums.control += tb_energy_stored(view, &view->now, &view->last) - before;
+}
+
 static void wake_all(TbView *view) {
   if (view->all_move) return;
   tb_pool_wake(view, NULL);
@@ -50,10 +62,16 @@ void tb_plate_relax(TbView *view, uint32_t steps) {
   const bool cascades = tb_cascade_acts(view);
   if (excess == 0.0 && !cascades) return;
   if (cascades) wake_all(view);
+  const bool rims = view->model->wires.rims;
+  const double before = rims ? tb_energy_stored(view, &view->now, &view->last) : 0.0;
   add_displacements(view, -1.0);
   if (excess != 0.0) tb_von_karman_return(view, excess);
   if (cascades) tb_cascade_pass(view, steps);
   add_displacements(view, 1.0);
-  book_contacts(view);
+  if (rims) {
+    move_edges(view, before);
+  } else {
+    book_contacts(view);
+  }
   tb_mic_hear_anew(view);
 }

@@ -8,9 +8,9 @@
 #include "air/mic_output.h"
 #include "heads/coupling.h"
 #include "heads/moving_modes.h"
+#include "heads/pedal.h"
 #include "heads/stretch.h"
 #include "step/energy.h"
-#include "step/pedal.h"
 #include "step/plate_relax.h"
 #include "step/reset.h"
 #include "step/wire_clearance.h"
@@ -159,10 +159,11 @@ static bool is_unheard(const TbView *view) {
   return view->model->resting.sounds && sum * gain * gain < UNHEARD[view->model->precision];
 }
 
-/* True if wires touch what they touch at rest; those that are thrown off, nothing. */
+/* True if wires touch what they touch at rest; those that are thrown off, nothing. Edges lie still
+ * wherever the pedal holds them. */
 static bool wires_touch_as_at_rest(const TbView *view) {
   const TbWires *wires = &view->model->wires;
-  if (view->state->wires.lifted) return true;
+  if (view->state->wires.lifted || !tb_pedal_rests(view)) return true;
   for (uint32_t row = 0; row < wires->stride; row++) {
     const bool on = view->state->wires.shift[wires->row_wire[row]] == 0.0;
     const bool rests = on && view->model->rest.force[row] > 0.0;

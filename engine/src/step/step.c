@@ -10,12 +10,12 @@
 #include "air/radiated_energy.h"
 #include "heads/coupling.h"
 #include "heads/lug_forces.h"
+#include "heads/pedal.h"
 #include "heads/stretch.h"
 #include "kernels/profile.h"
 #include "step/energy.h"
 #include "step/energy_guard.h"
 #include "step/live_params.h"
-#include "step/pedal.h"
 #include "step/wire_clearance.h"
 #include "strikers/stick.h"
 #include "strikers/striker_hold.h"
@@ -185,7 +185,7 @@ static void book_losses(TbView *view, bool shortened) {
   view->state->ledger.sound_work += sound;
   sums->injected += hands.done + sound + plucks;
   sums->damper_loss += hands.lost;
-  sums->control += tb_pedal_work(view);
+  if (!tb_pedal_rests(view)) sums->control += tb_pedal_work(view);
 }
 
 static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
@@ -241,7 +241,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   free_motion(view);        /* now, last -> next: q, v, bow */
   tb_incident_push(view);   /* sound from outside -> next.q */
   tb_lug_forces_pull(view); /* now.q -> next.q */
-  tb_pedal_push(view);      /* pedal -> next.q */
+  if (!tb_pedal_rests(view)) tb_pedal_push(view); /* pedal -> next.q */
   TB_STAGE(STRETCH);
   tb_stretch_free(view);  /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
   free_penetration(view); /* next, r, W -> b, next.truncated, and last.eta as the laws want it */

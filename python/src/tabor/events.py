@@ -12,7 +12,7 @@ from ._numbers import number, whole
 from .model import Model
 
 #: How a stroke can be made.
-TECHNIQUES: Tuple[str, ...] = ("normal", "buzz", "rimshot", "cross-stick", "rim", "sweep")
+TECHNIQUES: Tuple[str, ...] = ("normal", "buzz", "rimshot", "cross-stick", "rim", "sweep", "pedal")
 
 _LARGEST_ID = 2**32 - 1
 

@@ -15,7 +15,7 @@ from .definition import Definition
 QUALITIES: Tuple[str, ...] = ("draft", "live", "studio", "reference")
 
 _LEVELS = ("definition",) + QUALITIES  # as TaborQuality counts them
-_PARTS = ("batter", "resonant", "both", "cavity", "rim", "plate")
+_PARTS = ("batter", "resonant", "both", "cavity", "rim", "plate", "bottom")
 
 #: A mode: `m` nodal diameters, `n` nodal circles with the rim; `frequency` [Hz]; `decay_rate` of the amplitude and the
 #: part of it that is radiation, `radiation_rate` [1/s]; `multiplicity`, 2 with a sine copy; the `part` that moves most;

@@ -334,7 +334,8 @@ static TaborStatus build_plate(Work *w, TbArena *arena, TbArena *scratch, TbBody
   if (scratch->failed) return TABOR_ERROR_MEMORY;
   TaborStatus status = solve(w, scratch, squares, vectors);
   if (status == TABOR_OK) status = finish_modes(w, arena, squares, vectors, order, modes, room);
-  if (status != TABOR_OK || w->air->m >= w->shared->membrane->order_count) return status;
+  const bool couples = w->shared->coupled > 0.0 && w->air->m < w->shared->membrane->order_count;
+  if (status != TABOR_OK || !couples) return status;
   return tb_plate_stress_order(&w->shared->def, w->air->table, w->shared->coupled, w->air->m,
                                &w->forms,
                                coupled_modes(w, modes + first, order->mode_count - first), vectors,
@@ -366,9 +367,9 @@ static TaborStatus build_order(const void *context, TbArena *arena, TbArena *scr
   return status;
 }
 
-/* A hi-hat's plates are linear. */
-static bool bends_far(const TaborDrumDef *def) {
-  return plates_of(def) == 1u && def->plate.large_deflections > 0.0;
+/* The lower plate of a hi-hat is linear. */
+static bool bends_far(const TaborDrumDef *def, uint32_t surface) {
+  return surface == 0 && def->plate.large_deflections > 0.0;
 }
 
 static void prepare_shared(Shared *shared, const TaborDrumDef *def, uint32_t surface,
@@ -376,7 +377,7 @@ static void prepare_shared(Shared *shared, const TaborDrumDef *def, uint32_t sur
   *shared = (Shared){.def = definition_of(def, surface),
                      .surface = surface,
                      .limit = 2.0 * PI * body->bandwidth,
-                     .coupled = bends_far(def) ? limits.coupled : 0.0,
+                     .coupled = bends_far(def, surface) ? limits.coupled : 0.0,
                      .membrane = &body->membrane};
   shared->top = MARGIN * highest_lambda(&shared->def, body->bandwidth, limits);
 }

@@ -243,6 +243,9 @@ typedef struct TaborHihatDef {
   double contact_stiffness; /**< K [N/m^(1 + alpha)], 1e4 to 1e12, default 4e8 */
   double contact_exponent;  /**< alpha, 1 to 3, default 1.5 */
   double contact_loss;      /**< lambda [s/m], 0 to 50, default 5 */
+  /** By which rate all motion decays faster for each newton that presses the edges together, while
+   * neither striker nor hand touches [1/(N s)], 0 to 10, default 0.5 */
+  double friction;
 } TaborHihatDef;
 
 /** The shell, which holds the heads. */

@@ -239,6 +239,10 @@ const TbParam tb_params[] = {
   {ROW(TB_PARAM_HIHAT_CONTACT_LOSS, "hihat", "contact_loss", "s/m", "loss in the edges' contact",
        NUMBER(0, 50, 5)),
    IN_HIHAT(contact_loss)},
+  {ROW(TB_PARAM_HIHAT_FRICTION, "hihat", "friction", "1/(N s)",
+       "how much faster all motion decays for each newton that presses the edges together",
+       NUMBER(0, 10, 0.5)),
+   IN_HIHAT(friction)},
 
   {ROW(TB_PARAM_SHELL_RADIUS, "shell", "radius", "m", "radius of the heads, or of a plate",
        NUMBER(0.05, 0.60, 0.1651), LOGARITHMIC),

@@ -198,7 +198,8 @@ typedef enum TbParamId {
   TB_PARAM_HIHAT_CONTACT_LOSS = 1708,
   TB_PARAM_HIHAT_CLOSED = 1709,
   TB_PARAM_HIHAT_OPEN = 1710,
-  TB_PARAM_HIHAT_LIFT = 1711
+  TB_PARAM_HIHAT_LIFT = 1711,
+  TB_PARAM_HIHAT_FRICTION = 1712
 } TbParamId;
 
 /** Structure of a row's section: one struct; structs that may be absent (resonant, plate, hihat);

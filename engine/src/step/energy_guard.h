@@ -13,6 +13,12 @@
 
 #include "state/state.h"
 
+/* next = last + t (next - last), of modes, wires and edges. */
+void tb_shorten_modes(TbView *view, double t);
+/* Energy stored between view->next and view->now, with what modes and wires lose in the step, less
+ * the work that comes in by others than strikers [J]. */
+double tb_energy_and_losses(const TbView *view);
+
 /* Returns true if the step was shortened. Call after view->next is filled and before losses are
  * booked. */
 bool tb_energy_guard(TbView *view);

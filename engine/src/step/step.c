@@ -13,6 +13,7 @@
 #include "heads/pedal.h"
 #include "heads/stretch.h"
 #include "kernels/profile.h"
+#include "step/edge_friction.h"
 #include "step/energy.h"
 #include "step/energy_guard.h"
 #include "step/live_params.h"
@@ -211,12 +212,14 @@ static void forget_forces(TbView *view) {
 /* Energy that the contacts took, and the losses of all parts. If the forces would create energy,
  * the guard shortens the step first. */
 static void close_ledger(TbView *view, const TbSolveOutcome *outcome) {
-  const bool shortened = outcome->excess > 0.0 && tb_energy_guard(view);
+  bool shortened = outcome->excess > 0.0 && tb_energy_guard(view);
   if (shortened) {
     forget_forces(view);
   } else {
     view->state->ledger.sums.contact_loss += outcome->contact_loss;
     view->state->ledger.sums.damper_loss += outcome->damper_loss;
+    shortened = tb_edge_friction(view);
+    if (shortened) view->mics.ear = TB_NO_EAR;
   }
   book_losses(view, shortened);
 }

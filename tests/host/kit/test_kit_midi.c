@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* MIDI on a kit: which drum hears which message. */
+#include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -299,6 +300,56 @@ static void a_velocity_prefix_reaches_samples(void **state) {
   assert_true(events[0].event.velocity == 1);
 }
 
+static const TaborHihatDef *hihat_of_kit(void) {
+  return &kit->drum[tabor_kit_def_find(kit, "hihat")].def.hihat;
+}
+
+static void assert_opening(uint32_t i, double value) {
+  assert_int_equal(events[i].drum, tabor_kit_def_find(kit, "hihat"));
+  assert_int_equal(events[i].event.type, TABOR_EVENT_PARAMETER);
+  assert_int_equal(events[i].event.parameter, tabor_parameter_find("hihat.opening")->id);
+  assert_true(fabs(events[i].event.value - value) < 1e-12);
+}
+
+/* The pedal moves before the tip strikes. */
+static void notes_of_a_hihat_move_its_pedal(void **state) {
+  (void)state;
+  const TaborHihatDef *hihat = hihat_of_kit();
+  assert_int_equal(take(0x99, 42, 100), 2);
+  assert_opening(0, hihat->closed);
+  assert_int_equal(events[1].event.type, TABOR_EVENT_STRIKE);
+  assert_int_equal(take(0x89, 42, 0), 0);
+  assert_int_equal(take(0x99, 46, 100), 2);
+  assert_opening(0, hihat->open);
+  const double speed = events[1].event.velocity;
+  assert_int_equal(take(0x99, 44, 100), 1);
+  assert_int_equal(events[0].event.technique, TABOR_TECHNIQUE_PEDAL);
+  assert_true(fabs(events[0].event.velocity / speed - 0.15) < 1e-12);
+}
+
+/* Once the pedal is played, notes leave it where it is. */
+static void a_pedal_that_is_played_decides(void **state) {
+  (void)state;
+  const TaborHihatDef *hihat = hihat_of_kit();
+  assert_int_equal(take(0xB9, 4, 0), 1);
+  assert_opening(0, hihat->open);
+  assert_int_equal(take(0xB9, 4, 112), 1);
+  assert_opening(0, hihat->closed);
+  assert_int_equal(take(0xB9, 4, 127), 1);
+  assert_opening(0, 2 * hihat->closed);
+  double last = 1;
+  for (uint8_t value = 0; value < 128; value++) { /* the farther down the tighter */
+    assert_int_equal(take(0xB9, 4, value), 1);
+    assert_true(events[0].event.value < last);
+    last = events[0].event.value;
+  }
+  assert_int_equal(take(0x99, 42, 100), 1);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_STRIKE);
+  assert_int_equal(take(0x99, 46, 100), 1);
+  kit_midi_rest(midi);
+  assert_int_equal(take(0x99, 46, 100), 2);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test_setup_teardown(a_note_goes_to_its_drum_alone, prepare, clean_up),
@@ -318,6 +369,8 @@ int main(void) {
     cmocka_unit_test_setup_teardown(key_pressure_chokes_on_every_note_of_a_drum, prepare, clean_up),
     cmocka_unit_test_setup_teardown(key_pressure_chokes_a_sample, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_velocity_prefix_reaches_samples, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(notes_of_a_hihat_move_its_pedal, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(a_pedal_that_is_played_decides, prepare, clean_up),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

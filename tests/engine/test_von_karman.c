@@ -286,6 +286,30 @@ static void the_energy_account_closes(void **state) {
   }
 }
 
+/* The forces may act in every step, or in one of n, and in none for a while: no energy is made. */
+static void no_energy_is_made_however_seldom_forces_act(void **state) {
+  (void)state;
+  for (uint32_t n = 1; n <= 64; n *= 2) {
+    const TaborDrumDef def = crash_def();
+    TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_LIVE);
+    TaborDrum *drum = physics_drum(model);
+    double worst = 0.0;
+    for (uint32_t i = 0; i < 8; i++) {
+      const TaborEvent stroke = {.type = TABOR_EVENT_STRIKE,
+                                 .velocity = 12.0,
+                                 .radius = 0.15 + 0.005 * i,
+                                 .angle = 50.0 * i};
+      model->plate.every = i % 2 ? n : 1; /* it jumps, too */
+      tabor_drum_process(drum, &stroke, 1, NULL, 3000);
+      worst = fmax(worst, relative_residual(drum));
+    }
+    print_message("one step of %u: residual %.2g of what came in\n", n, worst);
+    assert_true(worst < physics_residual(TABOR_QUALITY_LIVE));
+    tabor_drum_destroy(drum);
+    tabor_model_release(model);
+  }
+}
+
 /* Energy of the modes in an octave around `centre` [Hz]. */
 static double octave_energy(const TaborDrum *drum, double centre) {
   const TbView view = tb_view(drum->state, drum->model);
@@ -362,6 +386,7 @@ int main(void) {
     cmocka_unit_test(one_mode_stores_its_quartic),
     cmocka_unit_test(one_mode_hardens_along_its_backbone),
     cmocka_unit_test(the_energy_account_closes),
+    cmocka_unit_test(no_energy_is_made_however_seldom_forces_act),
     cmocka_unit_test(hard_strokes_bloom),
     cmocka_unit_test(a_state_that_cannot_be_is_refused),
   };

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "math/portable_math.h"
+#include "model/rim_waves.h"
 
 TbPole tb_pole(double omega, double s, double k) {
   const double square = omega * omega - s * s;
@@ -198,6 +199,7 @@ typedef struct Listing {
   const TbBody *body;
   const uint8_t *felt, *low;
   uint8_t *section; /* of each listed mode that no wire feels */
+  uint32_t waves;   /* around a hi-hat's edges (rim_waves.h); 0 without */
   bool parts_copies;
 } Listing;
 
@@ -254,9 +256,39 @@ static void find_low(TbModes *modes, const Listing *l) {
   }
 }
 
+/* Whether a listed mode moves the edges by this wave, and is one of those that large deflections may
+ * couple, or none of them. */
+static bool is_of_wave(const Listing *l, uint32_t i, bool coupled, uint32_t wave) {
+  const TbBodyMode *mode = &l->body->modes[l->list->row[i]];
+  return l->felt[i] && (mode->omega < l->body->membrane.top) == coupled &&
+         tb_rim_wave(l->waves, mode->m, l->list->sine[i] != 0) == wave;
+}
+
+/* The modes that the edges feel, wave by wave, and padded: those that may be coupled come first. */
+static uint32_t order_waves(TbModes *modes, const Listing *l, uint32_t next) {
+  for (uint32_t high = 0; high < 2; high++) {
+    for (uint32_t wave = 0; wave < l->waves; wave++) {
+      for (uint32_t i = 0; i < l->list->count; i++) {
+        if (is_of_wave(l, i, high == 0, wave)) list_mode(modes, l->list, i, &next);
+      }
+      next = pad_with_silence(modes, next);
+    }
+  }
+  return next;
+}
+
+static uint32_t order_group(TbModes *modes, const Listing *l, uint32_t group, uint32_t next) {
+  const TbModes *list = l->list;
+  if (l->waves > 0) return order_waves(modes, l, next);
+  for (uint32_t i = 0; i < list->count; i++) {
+    if (group_of(modes, list, l->body, i, l->felt[i]) == group) list_mode(modes, list, i, &next);
+  }
+  return pad_with_silence(modes, next);
+}
+
 static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const uint32_t *spare) {
   const TbModes *list = l->list;
-  uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_SECTIONS);
+  uint32_t room = tb_pad(list->count) + 8u * (modes->groups + TB_MODE_SECTIONS + 2u * l->waves);
   for (uint32_t group = 0; spare && group < modes->groups; group++) room += spare[group];
   modes->count = list->count;
   modes->row = tb_arena_take(arena, room, sizeof *modes->row);
@@ -265,10 +297,7 @@ static bool order_modes(TbModes *modes, TbArena *arena, const Listing *l, const 
   uint32_t next = 0;
   for (uint32_t group = 0; group < modes->groups; group++) {
     modes->group[group] = next;
-    for (uint32_t i = 0; i < list->count; i++) {
-      if (group_of(modes, list, l->body, i, l->felt[i]) == group) list_mode(modes, list, i, &next);
-    }
-    next = pad_with_silence(modes, next);
+    next = order_group(modes, l, group, next);
     for (uint32_t i = 0; spare && i < spare[group]; i++) modes->row[next++] = TB_NO_MODE;
   }
   modes->group[modes->groups] = next;
@@ -317,6 +346,7 @@ TaborStatus tb_modes_prepare(TbModes *modes, TbArena *arena, const TbBody *body,
                            .felt = felt,
                            .low = low,
                            .section = tb_arena_take(&scratch, body->most_modes, 1),
+                           .waves = wires->rims ? wires->contact_points : 0u,
                            .parts_copies = wires->count == 0};
   const bool done = felt && listing.section && list_modes(&list, &scratch, body) &&
                     find_felt(&list, &scratch, body, wires, felt) &&

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "model/projection.h"
 
+#include <string.h>
+
 static float *round_table(TbArena *arena, double *table, size_t count) {
   float *rounded = tb_arena_take(arena, count, sizeof *rounded);
   if (!rounded) return NULL;
@@ -15,6 +17,7 @@ static void keep(TbProjectionGroup *group, TbArena *arena) { (void)group, (void)
 
 static void round_both(TbProjectionGroup *group, TbArena *arena) {
   const size_t count = (size_t)group->points * group->modes;
+  if (group->runs > 0) group->along_rounded = round_table(arena, group->along, group->modes);
   group->gather_rounded = round_table(arena, group->gather, count);
   group->scatter_rounded = round_table(arena, group->scatter, count);
 }
@@ -28,6 +31,36 @@ static void (*const ROUND[])(TbProjectionGroup *group, TbArena *arena) = {
 bool tb_projection_round(TbProjection *p, TbArena *arena) {
   for (uint32_t g = 0; g < p->groups; g++) ROUND[p->precision](&p->group[g], arena);
   return !arena->failed;
+}
+
+void tb_project_runs(const TbProjectionGroup *group, const TbKernels *kernels, uint32_t part,
+                     const double *q, double *grid) {
+  memset(grid, 0, group->points * sizeof *grid);
+  for (uint32_t r = 0; r < group->runs && group->run[r].first < part; r++) {
+    const TbProjectionRun *run = &group->run[r];
+    const uint32_t left = part - run->first, modes = run->modes < left ? run->modes : left;
+    grid[run->point] += kernels->dot(modes, group->along + run->first, q + run->first);
+  }
+}
+
+void tb_project_runsf(const TbProjectionGroup *group, const TbKernelsF *kernels, uint32_t part,
+                      const float *q, double *grid) {
+  memset(grid, 0, group->points * sizeof *grid);
+  for (uint32_t r = 0; r < group->runs && group->run[r].first < part; r++) {
+    const TbProjectionRun *run = &group->run[r];
+    const uint32_t left = part - run->first, modes = run->modes < left ? run->modes : left;
+    grid[run->point] +=
+      (double)kernels->dot(modes, group->along_rounded + run->first, q + run->first);
+  }
+}
+
+void tb_project_run_forces(const TbProjectionGroup *group, const TbKernels *kernels,
+                           const double *grid, double *modal) {
+  memset(modal, 0, group->modes * sizeof *modal);
+  for (uint32_t r = 0; r < group->runs; r++) {
+    const TbProjectionRun *run = &group->run[r];
+    kernels->axpy(run->modes, modal + run->first, grid[run->point], group->along + run->first);
+  }
 }
 
 /* One class, by the tables of either precision. The audio thread calls them. */
@@ -73,6 +106,10 @@ static const Tables TABLES[] = {
 void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q, double *grid) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
+    if (group->runs > 0) {
+      tb_project_runs(group, kernels, group->modes, q + group->first, grid + group->first_point);
+      continue;
+    }
     TABLES[p->precision].project(group, kernels, q + group->first, grid + group->first_point);
   }
 }
@@ -82,6 +119,11 @@ void tb_project_parts(const TbProjection *p, const TbKernels *kernels, const TbP
                       double *const grid[TB_COUPLINGS]) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
+    for (uint32_t v = 0; v < vectors && group->runs > 0; v++) {
+      tb_project_runs(group, kernels, parts->size[g], q[v] + group->first,
+                      grid[v] + group->first_point);
+    }
+    if (group->runs > 0) continue;
     TbGather gather = {.vectors = vectors,
                        .blocks = group->points / 8u,
                        .n = group->modes,
@@ -100,6 +142,10 @@ void tb_project_forces(const TbProjection *p, const TbKernels *kernels, const do
                        double *modal) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
+    if (group->runs > 0) {
+      tb_project_run_forces(group, kernels, grid + group->first_point, modal + group->first);
+      continue;
+    }
     TABLES[p->precision].project_forces(group, kernels, grid + group->first_point,
                                         modal + group->first);
   }

@@ -9,6 +9,11 @@
 #include "kernels/precision.h"
 #include "model/modes.h"
 
+/* Modes that move one point alone. */
+typedef struct TbProjectionRun {
+  uint32_t first, modes, point; /* in the group: multiples of 8; of its points */
+} TbProjectionRun;
+
 /* One symmetry class: the modes of one group, on the grid points of the same symmetry. */
 typedef struct TbProjectionGroup {
   uint32_t first, modes;        /* in the order of TbModes; a multiple of 8 */
@@ -18,6 +23,10 @@ typedef struct TbProjectionGroup {
   double *scatter;              /* [modes/8][points][8]: to modes */
   float *gather_rounded;        /* in single precision, or NULL */
   float *scatter_rounded;       /* likewise: see tb_projection_round() */
+  uint32_t runs;        /* not 0: each mode moves one point alone, and stands among its like */
+  TbProjectionRun *run; /* [runs] */
+  double *along;        /* [modes]: how far */
+  float *along_rounded; /* in single precision, or NULL */
 } TbProjectionGroup;
 
 typedef struct TbProjection {
@@ -44,6 +53,16 @@ void tb_project(const TbProjection *projection, const TbKernels *kernels, const 
 void tb_project_parts(const TbProjection *projection, const TbKernels *kernels,
                       const TbParts *parts, uint32_t vectors, double *const q[TB_COUPLINGS],
                       double *const grid[TB_COUPLINGS]);
+
+/* The same of one group with runs, from the first `part` modes alone, in either precision: q and grid
+ * begin with the group. Audio-safe. */
+void tb_project_runs(const TbProjectionGroup *group, const TbKernels *kernels, uint32_t part,
+                     const double *q, double *grid);
+void tb_project_runsf(const TbProjectionGroup *group, const TbKernelsF *kernels, uint32_t part,
+                      const float *q, double *grid);
+/* And back: modal[modes] from the group's part of the grid. Audio-safe. */
+void tb_project_run_forces(const TbProjectionGroup *group, const TbKernels *kernels,
+                           const double *grid, double *modal);
 
 /* Computes modal forces of the coupled modes, modal[group[groups]], from grid[size]. Audio-safe. */
 void tb_project_forces(const TbProjection *projection, const TbKernels *kernels, const double *grid,

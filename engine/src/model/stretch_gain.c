@@ -10,13 +10,14 @@ static const double PI = 3.14159265358979323846;
  * toms by up to 0.8 dB. */
 static const double TOP = 96.0;
 
-/* Appends the modes from `from` to `end` that count: of a run that is sorted by frequency, the
- * first. */
+/* How many modes from `from` on, before `end`, hold all that count. */
 static uint32_t below(const TaborModel *model, double top, uint32_t from, uint32_t end) {
   const uint32_t *row = model->modes.row;
-  uint32_t i = from;
-  while (i < end && row[i] != TB_NO_MODE && model->body.modes[row[i]].omega < top) i++;
-  return tb_pad(i - from);
+  uint32_t size = 0;
+  for (uint32_t i = from; i < end; i++) {
+    if (row[i] != TB_NO_MODE && model->body.modes[row[i]].omega < top) size = i - from + 1u;
+  }
+  return tb_pad(size);
 }
 
 static void add_part(TaborModel *model, double top, double top_mixed, uint32_t from, uint32_t end,

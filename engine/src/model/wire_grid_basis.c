@@ -7,6 +7,7 @@
 
 #include "math/eigen.h"
 #include "model/projection.h"
+#include "model/rim_waves.h"
 
 /* Thinning along must leave at most this part of the lanes to be worth its two multiplications. */
 static const double WORTH_THINNING = 0.75;
@@ -267,10 +268,13 @@ static void shapes_on_lines(Fit *fit) {
 
 /* ---- along ---------------------------------------------------------------------------------- */
 
-/* A lane off the middle stands for two. */
+/* A folded lane off the middle stands for two. */
+static double lane_weight(const TbWireGrid *wire_grid, uint32_t j) {
+  return wire_grid->halves == 1 || j == wire_grid->middle ? 1.0 : sqrt(2.0);
+}
+
 static void lane_weights(const TbWireGrid *wire_grid, double *weight) {
-  for (uint32_t j = 0; j < wire_grid->half; j++)
-    weight[j] = j == wire_grid->middle ? 1.0 : sqrt(2.0);
+  for (uint32_t j = 0; j < wire_grid->half; j++) weight[j] = lane_weight(wire_grid, j);
 }
 
 /* A wire's row of `across` has norm 1 at most, so an error on the lines grows no larger on the
@@ -319,8 +323,24 @@ static void leave_lanes_alone(TbWireGrid *wire_grid) {
   wire_grid->thinned = false;
 }
 
+/* The edges of a hi-hat have waves around them (rim_waves.h). */
+static bool take_waves(Fit *fit, double *basis[2]) {
+  TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  const uint32_t points = fit->wires->contact_points, half = wire_grid->half;
+  basis[0] = tb_arena_doubles(fit->scratch, (size_t)points * half);
+  if (!basis[0]) return false;
+  for (uint32_t wave = 0; wave < points; wave++) {
+    for (uint32_t j = 0; j < points; j++)
+      basis[0][wave * half + j] = tb_rim_wave_at(points, wave, j);
+  }
+  wire_grid->thinned = true;
+  wire_grid->columns[0] = points;
+  return fill_along(fit, 0, basis[0]);
+}
+
 static bool fit_along(Fit *fit, double *basis[2]) {
   TbWireGrid *wire_grid = &fit->projection->wire_grid;
+  if (fit->wires->rims) return take_waves(fit, basis);
   leave_lanes_alone(wire_grid);
   if (wire_grid->wires == 0 || wire_grid->halves == 1 || !fit->wires->aligned ||
       wire_grid->half > 1024)
@@ -378,10 +398,43 @@ static double amplitude(const Fit *fit, double *const basis[2], uint32_t i, uint
   if (!wire_grid->thinned) return values[column];
   double sum = 0.0;
   for (uint32_t j = 0; j < wire_grid->half; j++) {
-    sum += basis[along][column * wire_grid->half + j] * (j == wire_grid->middle ? 1.0 : sqrt(2.0)) *
-           values[j];
+    sum += basis[along][column * wire_grid->half + j] * lane_weight(wire_grid, j) * values[j];
   }
   return sum;
+}
+
+/* The only point that a mode moves. */
+static uint32_t point_of(const TbProjectionGroup *group, uint32_t i) {
+  uint32_t most = 0;
+  double size = 0.0;
+  for (uint32_t p = 0; p < group->points; p++) {
+    const double value = fabs(group->gather[((size_t)(p / 8) * group->modes + i) * 8 + p % 8]);
+    if (value > size) most = p;
+    size = fmax(size, value);
+  }
+  return most;
+}
+
+/* Clears what rounding leaves at the other points, and lists the runs of modes of one point. */
+static bool find_runs(TbProjectionGroup *group, TbArena *arena) {
+  const uint32_t blocks = group->modes / 8u;
+  group->run = tb_arena_take(arena, blocks, sizeof *group->run);
+  group->along = tb_arena_doubles(arena, group->modes);
+  if (arena->failed) return false;
+  for (uint32_t i = 0; i < group->modes; i++) {
+    const uint32_t point = point_of(group, i & ~7u);
+    for (uint32_t p = 0; p < group->points; p++) {
+      double *to = &group->gather[((size_t)(p / 8) * group->modes + i) * 8 + p % 8];
+      double *from = &group->scatter[((size_t)(i / 8) * group->points + p) * 8 + i % 8];
+      if (p == point) group->along[i] = *to;
+      if (p != point) *to = *from = 0.0;
+    }
+    if (i % 8u != 0) continue;
+    const bool goes_on = group->runs > 0 && group->run[group->runs - 1u].point == point;
+    if (!goes_on) group->run[group->runs++] = (TbProjectionRun){.first = i, .point = point};
+    group->run[group->runs - 1u].modes += 8u;
+  }
+  return true;
 }
 
 static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
@@ -409,6 +462,7 @@ static bool fill_table(Fit *fit, double *const basis[2], uint32_t g) {
       }
     }
   }
+  if (fit->wires->rims && !find_runs(group, fit->arena)) return false;
   return !fit->scratch->failed;
 }
 

@@ -28,6 +28,11 @@ static void project(TbView *view) {
     gather.out[0] = view->change + group->first_point;
     view->model->kernelsf->narrow_change(group->modes, view->next.q + group->first,
                                          view->last.q + group->first, view->modalf[0]);
+    if (group->runs > 0) {
+      tb_project_runsf(group, view->model->kernelsf, group->modes, view->modalf[0],
+                       view->change + group->first_point);
+      continue;
+    }
     view->model->kernelsf->gemm(&gather);
   }
 }
@@ -44,6 +49,10 @@ static void stretch(TbView *view) {
       gather.x[h] = view->modalf[h];
       gather.out[h] = view->solve.in.stretch_grid[h] + group->first_point;
     }
+    if (group->runs > 0) {
+      tb_project_runsf(group, model->kernelsf, gather.part, view->modalf[0], gather.out[0]);
+      continue;
+    }
     view->model->kernelsf->gemm(&gather);
   }
 }
@@ -54,6 +63,11 @@ static void project_forces(TbView *view) {
   view->model->kernelsf->narrow(projection->wire_grid.size, view->change, work->answer);
   for (uint32_t g = 0; g < projection->groups; g++) {
     const TbProjectionGroup *group = &projection->group[g];
+    if (group->runs > 0) {
+      tb_project_run_forces(group, view->model->kernels, view->change + group->first_point,
+                            view->modal + group->first);
+      continue;
+    }
     const TbGatherF scatter = {.vectors = 1,
                                .blocks = group->modes / 8u,
                                .n = group->points,

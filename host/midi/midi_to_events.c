@@ -12,6 +12,8 @@ static const double PEDAL_CLOSED = 112;        /* the controller's value of a cl
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */
 static const double HAND_STRONGEST = 6;        /* [N s/m] */
+static const double EDGE_RADIUS = 0.97;        /* of a cymbal, where a hand chokes it */
+static const double CHOKE = 30;                /* [N s/m] */
 static const uint32_t FIRST_HAND = 0xFFFF0000; /* ids of hands; of strokes they stay below */
 static const uint32_t FIRST_BUZZ = 0xFFFF0100; /* ids of held sticks, one for each note */
 static const double BUZZ_PRESSURE = 0.5;       /* of the range, until key pressure tells */
@@ -88,6 +90,7 @@ void midi_binding_make(const MidiMap *map, const TaborDrumDef *def, MidiBinding 
   binding->grip = find_parameter(def, "hand.grip");
   binding->strainer_parameter = find_parameter(def, "wires.strainer");
   binding->opening = find_parameter(def, "hihat.opening");
+  binding->plate = def->body.kind != TABOR_BODY_DRUM;
   binding->open = def->hihat.open;
   binding->closed = def->hihat.closed;
   for (int i = 0; i < MIDI_VALUES; i++) {
@@ -232,9 +235,11 @@ static bool press_hand(MidiToEvents *drum, uint32_t hand, uint8_t pressure, Midi
   action->event =
     (TaborEvent){.type = lifts ? TABOR_EVENT_RELEASE : TABOR_EVENT_DAMP, .id = FIRST_HAND + hand};
   if (lifts) return true;
-  action->event.radius = HAND_RADIUS * drum->binding.head_radius;
+  const bool plate = drum->binding.plate;
+  const double strongest = plate ? CHOKE : HAND_STRONGEST;
+  action->event.radius = (plate ? EDGE_RADIUS : HAND_RADIUS) * drum->binding.head_radius;
   action->event.angle = drum->binding.angle + 180;
-  action->event.value = HAND_WEAKEST * pow(HAND_STRONGEST / HAND_WEAKEST, (pressure - 1) / 126.0);
+  action->event.value = HAND_WEAKEST * pow(strongest / HAND_WEAKEST, (pressure - 1) / 126.0);
   return true;
 }
 

@@ -8,7 +8,8 @@
  * Strokes take radius and angle from the controllers, or from the preset's [strike] until a
  * controller has moved. Pressure lays a hand on the head at half its radius, opposite to the
  * preset's stroke: from 0.06 N s/m for 1 to 6 N s/m for 127 in equal ratios. 6 N s/m mutes best; a
- * stronger hand would hold the head still under it and let the rest of the head ring.
+ * stronger hand would hold the head still under it and let the rest of the head ring. A cymbal it
+ * grips at its edge, with up to 30 N s/m, as drummers choke one.
  *
  * Controller 121 undoes what MIDI's RP-015 names: expression (11) goes to 127, modulation (1) to 0,
  * if they have moved; hands that pressure has laid on the head are lifted, and a prefix is
@@ -65,6 +66,7 @@ typedef struct MidiBinding {
   uint32_t presets;                /**< number of presets that programs may choose */
   MidiParameter grip, strainer_parameter, opening;
   double open, closed;                   /**< openings of a hi-hat [m] */
+  bool plate;                            /**< hands grip its edge */
   MidiParameter parameters[MIDI_VALUES]; /**< targets of the controllers */
 } MidiBinding;
 

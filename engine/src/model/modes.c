@@ -256,8 +256,8 @@ static void find_low(TbModes *modes, const Listing *l) {
   }
 }
 
-/* Whether a listed mode moves the edges by this wave, and is one of those that large deflections may
- * couple, or none of them. */
+/* Whether a listed mode moves the edges by this wave, and is one of those that large deflections
+ * may couple, or none of them. */
 static bool is_of_wave(const Listing *l, uint32_t i, bool coupled, uint32_t wave) {
   const TbBodyMode *mode = &l->body->modes[l->list->row[i]];
   return l->felt[i] && (mode->omega < l->body->membrane.top) == coupled &&

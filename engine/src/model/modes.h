@@ -20,8 +20,8 @@ enum { TB_MODE_RUNS = 3, TB_MODE_SECTIONS = 3 * TB_MODE_RUNS };
 /* Modes that some wire feels come first, in groups of one symmetry each. Shapes even under the
  * mirror x -> -x across the wires' middles precede the odd ones; in each half, shapes even under y
  * -> -y precede the odd ones. Silent modes pad each group to a multiple of 8. The modes that no
- * wire feels follow. Wires that lack a symmetry have half the groups. The edges of a hi-hat have one
- * group, in which the modes of each wave around them (rim_waves.h) stand together.
+ * wire feels follow. Wires that lack a symmetry have half the groups. The edges of a hi-hat have
+ * one group, in which the modes of each wave around them (rim_waves.h) stand together.
  *
  * The modes that no wire feels stand in three runs: the lowest and all that move both heads, the
  * batter head alone, the resonant head alone. A run has three sections: the lowest and those that

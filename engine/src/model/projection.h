@@ -54,8 +54,8 @@ void tb_project_parts(const TbProjection *projection, const TbKernels *kernels,
                       const TbParts *parts, uint32_t vectors, double *const q[TB_COUPLINGS],
                       double *const grid[TB_COUPLINGS]);
 
-/* The same of one group with runs, from the first `part` modes alone, in either precision: q and grid
- * begin with the group. Audio-safe. */
+/* The same of one group with runs, from the first `part` modes alone, in either precision: q and
+ * grid begin with the group. Audio-safe. */
 void tb_project_runs(const TbProjectionGroup *group, const TbKernels *kernels, uint32_t part,
                      const double *q, double *grid);
 void tb_project_runsf(const TbProjectionGroup *group, const TbKernelsF *kernels, uint32_t part,

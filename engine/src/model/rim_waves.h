@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT */
-/* The waves around N evenly spaced places of a hi-hat's edges (rims.h): an orthonormal basis of what
- * the places can tell apart,
+/* The waves around N evenly spaced places of a hi-hat's edges (rims.h): an orthonormal basis of
+ * what the places can tell apart,
  *   T_0 = N^(-1/2), T_(2k-1) = (2/N)^(1/2) cos(2 pi k j/N), T_2k = (2/N)^(1/2) sin(2 pi k j/N),
  * and T_(N-1) = (-1)^j N^(-1/2) for even N. A mode of m nodal diameters moves the places by one of
- * them alone: that of k = m mod N or N less that. So the edges' response is diagonal in them. Set-up
- * only. */
+ * them alone: that of k = m mod N or N less that. So the edges' response is diagonal in them.
+ * Set-up only. */
 #ifndef TB_RIM_WAVES_H
 #define TB_RIM_WAVES_H
 

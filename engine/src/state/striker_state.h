@@ -112,8 +112,15 @@ typedef struct TbBrush {
   double press;         /* target of F0 [N] */
 } TbBrush;
 
+/* A hand that grips the edge of a plate: see step/edge_friction.h. */
+typedef struct TbEdgeGrip {
+  double strength; /* [N s/m] */
+  uint32_t held, id;
+} TbEdgeGrip;
+
 /* Instants: see TbPhase. */
 typedef struct TbStrikerState {
+  TbEdgeGrip edge;
   uint32_t mask;   /* slots in play */
   uint64_t serial; /* of the last arrival */
   TbSlot slots[TB_SLOTS];

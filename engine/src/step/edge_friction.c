@@ -4,6 +4,8 @@
 #include "step/energy_guard.h"
 #include "strikers/striker_pool.h"
 
+static const double PI = 3.14159265358979323846;
+
 enum { EVERY = 16 }; /* steps: motion then shrinks by less than a hundredth at once */
 
 /* EVERY k s, at most. */
@@ -32,17 +34,40 @@ static void add_displacements(TbView *view, double sign) {
   }
 }
 
+/* Decay rates [1/s]: by a hi-hat's edges, by a hand on the edge. */
+typedef struct Rates {
+  double edges, hand;
+} Rates;
+
+static double edges_rate(const TbView *view) {
+  if (!view->model->wires.rims || view->state->wires.lifted) return 0.0;
+  return view->model->def.hihat.friction * pressure(view);
+}
+
+static double hand_rate(const TbView *view) {
+  const TbEdgeGrip *grip = &view->state->strikers.edge;
+  const TbBody *body = &view->model->body;
+  const double area = PI * body->radius * body->radius;
+  return grip->held ? grip->strength / (body->sheet[0].surface_density * area) : 0.0;
+}
+
+static void shorten(TbView *view, double part) {
+  add_displacements(view, -1.0);
+  tb_shorten_modes(view, 1.0 - part);
+  add_displacements(view, 1.0);
+}
+
 bool tb_edge_friction(TbView *view) {
-  const double friction = view->model->def.hihat.friction;
-  if (!view->model->wires.rims || friction == 0.0 || view->state->clock % EVERY > 0) return false;
-  if (view->state->wires.lifted || !view->model->def.quality.losses || is_touched(view))
-    return false;
-  const double wanted = EVERY * view->model->time_step * friction * pressure(view);
+  const TaborDrumDef *def = &view->model->def;
+  if (def->body.kind == TABOR_BODY_DRUM || !def->quality.losses) return false;
+  if (view->state->clock % EVERY > 0 || is_touched(view)) return false;
+  const Rates rates = {edges_rate(view), hand_rate(view)};
+  const double all = rates.edges + rates.hand, wanted = EVERY * view->model->time_step * all;
   if (!(wanted > 0.0)) return false;
   const double before = tb_energy_and_losses(view);
-  add_displacements(view, -1.0);
-  tb_shorten_modes(view, 1.0 - (wanted < MOST ? wanted : MOST));
-  add_displacements(view, 1.0);
-  view->state->ledger.sums.contact_loss += before - tb_energy_and_losses(view);
+  shorten(view, wanted < MOST ? wanted : MOST);
+  const double lost = before - tb_energy_and_losses(view), by_hand = lost * (rates.hand / all);
+  view->state->ledger.sums.contact_loss += lost - by_hand;
+  view->state->ledger.sums.damper_loss += by_hand;
   return true;
 }

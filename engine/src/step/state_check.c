@@ -139,6 +139,8 @@ static bool slots(const TaborModel *model, const TbState *state) {
 /* A brush whose bristles are gone, as after a swap, may have any definition: it ends in the next
  * step. */
 static bool brushes(const TbState *state) {
+  const TbEdgeGrip *edge = &state->strikers.edge;
+  if (edge->held > 1u || !(edge->strength >= 0.0 && edge->strength <= 100.0)) return false;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
     const TbBrush *brush = &state->strikers.brushes[b];
     const double places[] = {brush->radius, brush->x,     brush->y,      brush->dx,

@@ -118,7 +118,20 @@ static uint32_t find_hand(const TbView *view, uint32_t id) {
   return TB_SLOTS;
 }
 
+/* A hand nearer to a free edge than this part of the radius grips it. */
+static const double NEAR_EDGE = 0.9;
+
+static bool grips_edge(TbView *view, uint32_t id, double strength, double radius) {
+  TbEdgeGrip *edge = &view->state->strikers.edge;
+  const TbBody *body = &view->model->body;
+  const bool grips = body->free_edge && radius >= NEAR_EDGE * body->radius;
+  if (grips) *edge = (TbEdgeGrip){.strength = strength, .held = 1, .id = id};
+  if (!grips && id != 0 && edge->id == id) edge->held = 0; /* it has moved inwards */
+  return grips;
+}
+
 bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double angle) {
+  if (grips_edge(view, id, strength, radius)) return true;
   uint32_t slot = id ? find_hand(view, id) : TB_SLOTS;
   if (slot == TB_SLOTS) slot = tb_pool_obtain(view);
   if (slot == TB_SLOTS) return false;
@@ -133,6 +146,8 @@ bool tb_damp(TbView *view, uint32_t id, double strength, double radius, double a
 }
 
 void tb_release(TbView *view, uint32_t id) {
+  TbEdgeGrip *edge = &view->state->strikers.edge;
+  if (id == 0 || edge->id == id) edge->held = 0;
   tb_brush_release(view, id);
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *s = tb_slot(view, i);
@@ -151,6 +166,8 @@ bool tb_hands_move(const TbState *state) { return tb_brush_moves(state); }
 /* ---- what is in play ------------------------------------------------------------------------ */
 
 void tb_hands_carry(const TbView *from, TbView *to, double ratio) {
+  to->state->strikers.edge = from->state->strikers.edge;
+  to->state->strikers.edge.held &= to->model->body.free_edge;
   tb_brush_carry(from, to, ratio);
 }
 
@@ -161,7 +178,7 @@ bool tb_striker_is_known(const TaborModel *model, const TbSlot *slot) {
 }
 
 uint32_t tb_strikers_in_play(const TbState *state) {
-  uint32_t count = tb_brush_count(state);
+  uint32_t count = tb_brush_count(state) + state->strikers.edge.held;
   for (uint32_t i = 0; i < TB_MUFFLERS; i++) {
     const TbSlot *slot = &state->strikers.slots[i];
     const bool counted = tb_slot_is_end(slot) && slot->end.other < i; /* with that end */

@@ -311,6 +311,21 @@ static void assert_opening(uint32_t i, double value) {
   assert_true(fabs(events[i].event.value - value) < 1e-12);
 }
 
+/* A hand chokes a cymbal at its edge, and damps a drum inside. */
+static void key_pressure_grips_a_cymbals_edge(void **state) {
+  (void)state;
+  assert_int_equal(take(0xA9, 49, 127), 1);
+  const TaborDrumDef *crash = &kit->drum[events[0].drum].def;
+  assert_string_equal(kit->drum[events[0].drum].name, "crash");
+  assert_int_equal(events[0].event.type, TABOR_EVENT_DAMP);
+  assert_true(events[0].event.radius > 0.9 * crash->shell.radius);
+  assert_true(fabs(events[0].event.value - 30) < 1e-9);
+  assert_int_equal(take(0xA9, 49, 0), 1);
+  assert_int_equal(events[0].event.type, TABOR_EVENT_RELEASE);
+  assert_int_equal(take(0xA9, 38, 127), 1);
+  assert_true(fabs(events[0].event.value - 6) < 1e-9);
+}
+
 /* The pedal moves before the tip strikes. */
 static void notes_of_a_hihat_move_its_pedal(void **state) {
   (void)state;
@@ -369,6 +384,7 @@ int main(void) {
     cmocka_unit_test_setup_teardown(key_pressure_chokes_on_every_note_of_a_drum, prepare, clean_up),
     cmocka_unit_test_setup_teardown(key_pressure_chokes_a_sample, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_velocity_prefix_reaches_samples, prepare, clean_up),
+    cmocka_unit_test_setup_teardown(key_pressure_grips_a_cymbals_edge, prepare, clean_up),
     cmocka_unit_test_setup_teardown(notes_of_a_hihat_move_its_pedal, prepare, clean_up),
     cmocka_unit_test_setup_teardown(a_pedal_that_is_played_decides, prepare, clean_up),
   };

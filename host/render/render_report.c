@@ -194,11 +194,12 @@ static void note_details(const OfflinePlayer *player, const TaborStatistics *sta
   note("%.3f of real time; Newton iterations: mean %.2f, most %u, %llu capped",
        real_time_factor(player), newton_mean(statistics), (unsigned)statistics->newton_max,
        (unsigned long long)statistics->newton_capped);
-  note("energy in J: injected %.4g, stored %.3g, head %.3g, wires %.3g, contacts %.3g, dampers "
+  note("energy in J: injected %.4g, control %.3g, stored %.3g, head %.3g, wires %.3g, contacts "
+       "%.3g, dampers "
        "%.3g, shell %.3g, radiated %.3g, removed %.3g, residual %.2g",
-       ledger->injected, ledger->stored, ledger->head_loss, ledger->wire_loss, ledger->contact_loss,
-       ledger->damper_loss, ledger->shell_loss, ledger->radiated, ledger->removed,
-       ledger->residual);
+       ledger->injected, ledger->control, ledger->stored, ledger->head_loss, ledger->wire_loss,
+       ledger->contact_loss, ledger->damper_loss, ledger->shell_loss, ledger->radiated,
+       ledger->removed, ledger->residual);
   if (player->request->normalize) note("normalized by %+.2f dB", player->request->gain_db);
 }
 

@@ -22,16 +22,11 @@ static const double ROLL = 2500.0; /* [Hz] */
 static const uint32_t FEWEST = 4;
 static const double THIRD = 1.2599210498948732; /* 2^(1/3) */
 
-typedef struct Scale {
-  double w, energy;
-} Scale;
-
-static Scale scale_of(const TaborModel *model) {
+/* sqrt(D/(rho h))/R^2 [rad/s] */
+static double unit_of(const TaborModel *model) {
   const TaborHeadDef *sheet = &model->body.sheet[0];
   const double radius = model->body.radius;
-  const double slenderness = sheet->surface_density / (model->def.plate.density * radius);
-  return (Scale){sqrt(sheet->bending_stiffness / sheet->surface_density) / (radius * radius),
-                 sheet->bending_stiffness * slenderness * slenderness};
+  return sqrt(sheet->bending_stiffness / sheet->surface_density) / (radius * radius);
 }
 
 /* x^a of x > 0. */
@@ -76,9 +71,8 @@ TaborStatus tb_cascade_prepare(TaborModel *model) {
   cascade->mode = tb_arena_take(&model->arena, model->modes.padded, sizeof *cascade->mode);
   cascade->low = tb_arena_take(&model->arena, model->modes.padded, sizeof *cascade->low);
   if (model->arena.failed) return TABOR_ERROR_MEMORY;
-  const Scale scale = scale_of(model);
-  const double w = scale.w / OWN_W;
-  const double rate = RATE * strength * w * power(OWN_ENERGY / scale.energy, ENERGY_POWER);
+  const double w = unit_of(model) / OWN_W;
+  const double rate = RATE * strength * w * power(OWN_ENERGY / model->plate.scale, ENERGY_POWER);
   cascade->low_count = append(model, 20.0, LOW * w, cascade->low);
   list_bands(model, model->body.membrane.top / (2.0 * PI), rate, ROLL * w, cascade);
   return TABOR_OK;

@@ -10,7 +10,7 @@ static const double PI = 3.14159265358979323846;
 
 /* It acts at least so often [Hz]: its images then lie beyond what is heard. By quality. */
 static const double LEAST_RATE[] = {0.0, 22000.0, 22000.0, 44000.0, 44000.0};
-/* Part of D (h/R)^2, the scale of energy at which a plate of thickness h bends by h. */
+/* Part of the scale of energy. */
 static const double QUIET = 1e-3;
 
 /* The motion of the whole plate bends nothing. */
@@ -163,10 +163,11 @@ TaborStatus tb_plate_coupling_prepare(TaborModel *model) {
   *plate = (TbPlateCoupling){.every = 1};
   if (membrane->points == 0) return TABOR_OK;
   const TaborHeadDef *sheet = &model->body.sheet[0];
-  const double thickness = sheet->surface_density / model->def.plate.density;
-  const double slenderness = thickness / model->body.radius;
+  const double slenderness =
+    sheet->surface_density / (model->def.plate.density * model->body.radius);
   while ((plate->every + 1u) * LEAST_RATE[model->quality] <= model->step_rate) plate->every++;
-  plate->quiet = QUIET * sheet->bending_stiffness * slenderness * slenderness;
+  plate->scale = sheet->bending_stiffness * slenderness * slenderness;
+  plate->quiet = QUIET * plate->scale;
   plate->tables = (TbVonKarman){.points = membrane->points,
                                 .orders = orders_with(model, false),
                                 .stress_orders = orders_with(model, true)};

@@ -12,6 +12,7 @@ typedef struct TbPlateCoupling {
   TbVonKarman tables; /* without pairs: nothing is coupled */
   uint32_t *mode;     /* [pairs][2]: among TbModes, or TB_NO_MODE */
   uint32_t every;     /* it acts in every so many steps */
+  double scale;       /* D (h/R)^2: energy at which a plate of thickness h bends by h [J] */
   double quiet;       /* modes that hold less are not coupled [J] */
 } TbPlateCoupling;
 

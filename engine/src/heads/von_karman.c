@@ -56,6 +56,21 @@ static double modes_energy(const TbView *view) {
   return sum;
 }
 
+/* What the modes hold; of a hi-hat, which its pedal may keep bent, twice their kinetic energy, which
+ * is as much in the mean over their periods. */
+static double lively_energy(const TbView *view) {
+  const TbPlateCoupling *plate = &view->model->plate;
+  const double rate = view->model->step_rate;
+  double sum = 0.0;
+  if (!view->model->wires.rims) return modes_energy(view);
+  for (uint32_t i = 0; i < 2u * plate->tables.pairs; i++) {
+    if (plate->mode[i] == TB_NO_MODE) continue;
+    const double velocity = (view->now.q[plate->mode[i]] - view->last.q[plate->mode[i]]) * rate;
+    sum += velocity * velocity;
+  }
+  return sum;
+}
+
 static double sticks_energy(const TbView *view) {
   const double rate = view->model->step_rate;
   double sum = 0.0;
@@ -122,7 +137,7 @@ static void fill_gradient(TbView *view) {
 static uint32_t begin(TbView *view) {
   TbPlateState *plate = &view->state->plate;
   const bool looks = view->state->clock % LOOK == 0, driven = tb_stretch_is_driven(view);
-  if (looks) plate->energy = modes_energy(view);
+  if (looks) plate->energy = lively_energy(view);
   fade(view, driven, plate->energy > view->model->plate.quiet);
   if (plate->part == 0.0) return 0;
   raise_shift(view, looks);

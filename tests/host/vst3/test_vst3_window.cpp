@@ -271,7 +271,7 @@ static void a_kit_of_a_file_plays(void **) {
   window.frame.tick();
   window.click(434, 34);
   double peak = 0;
-  for (int i = 0; i < 2000 && peak < 0.1; i++) { /* until it is built: the hi-hat before is softer */
+  for (int i = 0; i < 2000 && peak < 0.1; i++) { /* until it is built; its hi-hat is louder */
     plugin.data.inputEvents = &notes;
     peak = plugin.run();
     std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -56,8 +56,8 @@ static double modes_energy(const TbView *view) {
   return sum;
 }
 
-/* The modes' energy. A pedal may keep a hi-hat bent; of one it is twice their kinetic energy, as much
- * in the mean over their periods. */
+/* The modes' energy. A pedal may keep a hi-hat bent; of one it is twice their kinetic energy, as
+ * much in the mean over their periods. */
 static double lively_energy(const TbView *view) {
   const TbPlateCoupling *plate = &view->model->plate;
   const double rate = view->model->step_rate;

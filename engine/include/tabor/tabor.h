@@ -1078,7 +1078,7 @@ typedef struct TaborProbe {
   double wire;          /**< of the first wire's midpoint; NaN without wires */
   double striker;       /**< of the newest striker in play; NaN without one */
   double striker_force; /**< between all strikers and head or hoop [N]; NaN without a striker */
-  double wire_force;    /**< between all wires and the head [N]; NaN without wires */
+  double wire_force; /**< between all wires and the head, or a hi-hat's edges [N]; NaN without */
 } TaborProbe;
 
 #define TABOR_VIEW_RADII 32        /**< radii of a view's grid at most */

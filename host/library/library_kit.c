@@ -46,12 +46,13 @@ static Outcome check_count(const TaborKitDef *def, const LibraryShape *shape) {
 }
 
 /* What the kit's first note for it does at this velocity. */
-static void take_stroke(const LibrarySound *sound, KitMidi *midi, TaborEvent *event) {
+static void take_stroke(LibrarySound *sound, KitMidi *midi) {
   const MidiMessage note = {0x99, {sound->keys[0], (uint8_t)sound->midi}};
   TaborKitEvent events[KIT_MIDI_MOST_EVENTS];
   kit_midi_rest(midi);
   const uint32_t count = kit_midi_take(midi, &note, events);
-  if (count > 0) *event = events[count - 1u].event; /* after the pedal's move */
+  if (count > 0) sound->event = events[count - 1u].event;
+  if (count > 1) sound->pedal = events[0].event;
 }
 
 static bool name_sound(const LibraryRequest *request, const char *drum, LibrarySound *sound) {
@@ -75,7 +76,7 @@ static bool add_stroke(uint32_t drum, int stroke, KitMidi *midi, Humanizer *play
       .drum = drum, .technique = midi_stroke_names[stroke], .take = i % shape->takes + 1};
     take_keys(def, stroke, sound);
     library_set_layer(sound, i / shape->takes, shape->velocities);
-    take_stroke(sound, midi, &sound->event);
+    take_stroke(sound, midi);
     humanize(player, def->def.shell.radius, &sound->event);
     if (!name_sound(request, def->name, sound)) return false;
   }
@@ -166,10 +167,13 @@ void library_kit_prepare(const LibraryRequest *request, const LibrarySound *soun
   job->length = request->render.frames / job->rate;
 }
 
-/* The note, and its end, which matters to what is held. */
+/* The pedal, the note, and its end, which matters to what is held. */
 static Outcome make_song(const LibrarySound *sound, double rate, KitSong *song) {
-  song->events = calloc(2, sizeof *song->events);
+  song->events = calloc(3, sizeof *song->events);
   if (!song->events) return fail_memory();
+  if (sound->pedal.type != 0) {
+    song->events[song->count++] = (TaborKitEvent){sound->drum, sound->pedal};
+  }
   song->events[song->count++] = (TaborKitEvent){sound->drum, sound->event};
   if (sound->event.technique != TABOR_TECHNIQUE_BUZZ &&
       sound->event.technique != TABOR_TECHNIQUE_SWEEP) {

@@ -55,6 +55,7 @@ typedef struct LibrarySound {
   /** Radius of the position [% of the head's], before the scatter. */
   uint32_t radius_share;
   uint32_t drum;    /**< of a kit; otherwise 0 */
+  TaborEvent pedal; /**< what moves the pedal of a hi-hat first; type 0: nothing */
   TaborEvent event; /**< the stroke, after the scatter */
 } LibrarySound;
 

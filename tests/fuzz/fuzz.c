@@ -53,9 +53,9 @@ double fuzz_number(FuzzInput *input) {
 }
 
 TaborModel *fuzz_model(uint32_t which) {
-  static const char *const NAMES[] = {"snare-14x5.5", "tom-12", "tabor"};
+  static const char *const NAMES[] = {"snare-14x5.5", "tom-12", "tabor", "hihat-14"};
   static const uint32_t QUALITIES[] = {TABOR_QUALITY_DRAFT, TABOR_QUALITY_STUDIO,
-                                       TABOR_QUALITY_LIVE};
+                                       TABOR_QUALITY_LIVE, TABOR_QUALITY_DRAFT};
   TaborDrumDef def;
   TaborModelOptions options;
   TaborModel *model = NULL;

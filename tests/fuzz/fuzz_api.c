@@ -7,7 +7,7 @@
 
 #include "fuzz.h"
 
-enum { MODELS = 3, MOST_EVENTS = 24, MOST_FRAMES = 96, MOST_CALLS = 64, MOST_SWAPS = 8 };
+enum { MODELS = 4, MOST_EVENTS = 24, MOST_FRAMES = 96, MOST_CALLS = 64, MOST_SWAPS = 8 };
 
 typedef struct Session {
   TaborDrum *drum;
@@ -22,13 +22,13 @@ static TaborModel *models[MODELS];
 
 /* Most fields are as players have them; some are any. */
 static TaborEvent take_event(FuzzInput *input) {
-  static const uint32_t LIVE[] = {308, 408, 508, 512, 513, 514, 803, 1103, 1400};
+  static const uint32_t LIVE[] = {308, 408, 508, 512, 513, 514, 803, 1103, 1400, 1700};
   TaborEvent event = {.frame = fuzz_byte(input) % (MOST_FRAMES + 8)};
   const uint8_t wild = fuzz_byte(input);
   event.type = fuzz_byte(input) % (TABOR_EVENT_REPLACE + (wild & 1u ? 4u : 1u));
   event.id = fuzz_byte(input) % 4;
   event.striker = wild & 2u ? fuzz_word(input) : fuzz_byte(input) % 4;
-  event.technique = wild & 4u ? fuzz_word(input) : fuzz_byte(input) % 6;
+  event.technique = wild & 4u ? fuzz_word(input) : fuzz_byte(input) % 7;
   event.parameter =
     wild & 8u ? fuzz_word(input) : LIVE[fuzz_byte(input) % (sizeof LIVE / sizeof *LIVE)];
   event.index = wild & 16u ? fuzz_word(input) : fuzz_byte(input) % 3;

@@ -131,7 +131,7 @@ done
 refused "striker 'stik'.*did you mean 'stick'" render --strike striker=stik
 refused "striker ''" render --strike striker=
 refused "striker 'foo': the drum has no such striker; there are: stick$" render tabor --strike striker=foo
-refused "technique 'foo': unknown; there are: normal, rimshot, cross-stick, rim, buzz, sweep, pluck$" render --strike technique=foo
+refused "technique 'foo': unknown; there are: normal, rimshot, cross-stick, rim, buzz, sweep, pedal, pluck$" render --strike technique=foo
 refused "technique 'pluck': the drum has no wires" render tom-12 --strike technique=pluck
 refused "wire '21': out of range; allowed: 1 to 20" render snare-14x5.5 --strike technique=pluck,wire=21
 refused "velocity: a pluck has none; it has wire, place, displacement and pull" render --strike technique=pluck,velocity=3

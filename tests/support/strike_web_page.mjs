@@ -176,7 +176,7 @@ async function playNotes(page) {
 async function filmKit(page) {
   const text = page.locator("#motion-text");
   await page.getByRole("combobox", { name: "How many times slower" }).selectOption("20");
-  for (const [place, wires] of [[[-0.63, -0.35], true], [[0.05, 0.35], false]]) {
+  for (const [place, wires] of [[[-0.55, -0.33], true], [[0.05, 0.35], false]]) {
     await page.waitForTimeout(1200); // what was filmed before is over
     await page.mouse.click(...(await placeOf(page, ...place)));
     await text.filter({ hasText: /^[0-9].* ms/ }).waitFor();
@@ -195,7 +195,7 @@ async function playKit(browser) {
   await filmKit(page);
   const byHand = async () => {
     for (const key of ["a", "s", "d", "f", "g", "w", "z"]) await page.keyboard.press(key);
-    await page.mouse.click(...(await placeOf(page, -0.63, -0.35))); // the snare drum
+    await page.mouse.click(...(await placeOf(page, -0.55, -0.33))); // the snare drum
     await page.mouse.click(...(await placeOf(page, -1.1, 1.1))); // the floor
     await page.waitForTimeout(500);
   };

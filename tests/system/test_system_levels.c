@@ -90,7 +90,7 @@ static int measure(void **state) {
  * and on the edge of a thin cymbal, strokes grow by more than their speed, and the hardest ones
  * leave less room. */
 static double least_peak(const char *name) {
-  static const char *const CYMBALS[] = {"crash-", "ride-", "splash-", "china-"};
+  static const char *const CYMBALS[] = {"crash-", "ride-", "splash-", "china-", "hihat-"};
   for (uint32_t i = 0; i < sizeof CYMBALS / sizeof *CYMBALS; i++) {
     if (strncmp(name, CYMBALS[i], strlen(CYMBALS[i])) == 0) return -17.7;
   }

@@ -131,6 +131,12 @@ static void try_end(TaborModel *model, const TaborParameter *parameter, double e
   tabor_drum_destroy(p.drum);
 }
 
+/* Drums have no pedal, and not all have a resonant head. */
+static bool is_of(const TaborDrumDef *def, const TaborParameter *parameter) {
+  if (strcmp(parameter->section, "resonant") == 0) return def->two_headed;
+  return strcmp(parameter->section, "hihat") != 0;
+}
+
 static void try_drum(const char *preset, uint32_t quality) {
   const TaborDrumDef def = small_snare(preset);
   TaborModel *model = physics_model(&def, RATE, quality);
@@ -138,8 +144,7 @@ static void try_drum(const char *preset, uint32_t quality) {
   Worst worst = {0.0, 0.0};
   for (uint32_t i = 0; i < tabor_parameter_count(); i++) {
     const TaborParameter *parameter = tabor_parameter(i);
-    if (!parameter->live || (strcmp(parameter->section, "resonant") == 0 && !def.two_headed))
-      continue;
+    if (!parameter->live || !is_of(&def, parameter)) continue;
     for (int end = 0; end < 2; end++) {
       for (int ramp = 0; ramp < 2; ramp++) {
         try_end(model, parameter, end ? parameter->maximum : parameter->minimum, ramp != 0, quality,

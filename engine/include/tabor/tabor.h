@@ -230,13 +230,13 @@ typedef struct TaborPlateDef {
  * the penetration.
  */
 typedef struct TaborHihatDef {
-  double opening; /**< between the edges [m], -0.01 to 0.03, default -0.0015; live */
-  /** Openings [m], -0.01 to 0.03: what the foot's stroke and notes for a closed hi-hat bring it to,
-   * default -0.0015; notes for an open one, default 0.008; from where the foot stamps, default
-   * 0.005. */
-  double closed, open, lift;
-  double speed;             /**< of the pedal's rod at most [m/s], 0.01 to 10, default 1.5 */
-  double tilt;              /**< the widest gap less the least [m], 0 to 0.02, default 0.0016 */
+  /** Openings [m], all of -0.01 to 0.03: between the edges, default -0.0015; live. */
+  double opening;
+  double closed; /**< what the foot's stroke and notes for a closed hi-hat set, default -0.0015 */
+  double open;   /**< what notes for an open hi-hat set, default 0.008 */
+  double lift;   /**< from where the foot stamps, default 0.005 */
+  double speed;  /**< of the pedal's rod at most [m/s], 0.01 to 10, default 1.5 */
+  double tilt;   /**< the widest gap less the least [m], 0 to 0.02, default 0.0016 */
   double unevenness;        /**< of the edges, at most [m], 0 to 0.005, default 1e-4 */
   uint32_t seed;            /**< draws the unevenness, default 1 */
   uint32_t points;          /**< around the edges, where they may meet, 4 to 64, default 16 */
@@ -1078,7 +1078,7 @@ typedef struct TaborProbe {
   double wire;          /**< of the first wire's midpoint; NaN without wires */
   double striker;       /**< of the newest striker in play; NaN without one */
   double striker_force; /**< between all strikers and head or hoop [N]; NaN without a striker */
-  double wire_force; /**< between all wires and the head, or a hi-hat's edges [N]; NaN without */
+  double wire_force;    /**< between all wires and the head, or a hi-hat's edges [N]; NaN without */
 } TaborProbe;
 
 #define TABOR_VIEW_RADII 32        /**< radii of a view's grid at most */

@@ -1,11 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "heads/pedal.h"
 
-/* How far the foot is above its place at rest [m]. */
-static double risen(const TbView *view) {
-  return view->state->live.values[TB_LIVE_OPENING].now - view->model->def.hihat.opening;
-}
-
 static TbLiveParam *opening(TbView *view) { return &view->state->live.values[TB_LIVE_OPENING]; }
 
 /* As fast as it may. */
@@ -49,17 +44,20 @@ bool tb_stamp_is_right(const TbStamp *stamp) {
 
 void tb_pedal_push(TbView *view) {
   const TbRod *rod = &view->model->rod;
-  const double *g = view->model->modes.g, z = risen(view);
+  const double *g = view->model->modes.g, z = tb_pedal_risen(view);
   for (uint32_t i = 0; i < rod->count; i++) {
-    view->next.q[rod->mode[i]] += g[rod->mode[i]] * (rod->push[i] * z);
+    const uint32_t mode = rod->mode[i];
+    view->next.q[mode] += g[mode] * (rod->push[mode] * z);
   }
 }
 
 double tb_pedal_product(const TbView *view, const double *pull) {
   const TbRod *rod = &view->model->rod;
   double sum = 0.0;
-  for (uint32_t i = 0; i < rod->count; i++) sum += rod->push[i] * pull[rod->mode[i]];
-  return risen(view) * sum;
+  for (uint32_t i = 0; i < rod->count; i++) {
+    sum += rod->push[rod->mode[i]] * pull[rod->mode[i]];
+  }
+  return tb_pedal_risen(view) * sum;
 }
 
 double tb_pedal_work(const TbView *view) {
@@ -67,7 +65,7 @@ double tb_pedal_work(const TbView *view) {
   double sum = 0.0;
   for (uint32_t i = 0; i < rod->count; i++) {
     const uint32_t mode = rod->mode[i];
-    sum += rod->push[i] * (view->next.q[mode] - view->last.q[mode]);
+    sum += rod->push[mode] * (view->next.q[mode] - view->last.q[mode]);
   }
-  return 0.5 * risen(view) * sum;
+  return 0.5 * tb_pedal_risen(view) * sum;
 }

@@ -20,8 +20,7 @@ bool tb_stamp_is_right(const TbStamp *stamp);
 
 /* True if the pedal is where the definition has it, or there is none. */
 static inline bool tb_pedal_rests(const TbView *view) {
-  return view->model->rod.count == 0 ||
-         view->state->live.values[TB_LIVE_OPENING].now == view->model->def.hihat.opening;
+  return view->model->rod.count == 0 || tb_pedal_risen(view) == 0.0;
 }
 /* Adds the pedal's force to the free motion in view->next. */
 void tb_pedal_push(TbView *view);

@@ -60,7 +60,7 @@ static void weigh_head(const TaborModel *model, double *weight) {
 static void push_rod(const TaborModel *model, double *weight) {
   const TbRod *rod = &model->rod;
   for (uint32_t i = 0; i < rod->count; i++) {
-    weight[rod->mode[i]] += rod->push[i] * model->def.hihat.opening;
+    weight[rod->mode[i]] += rod->push[rod->mode[i]] * model->def.hihat.opening;
   }
 }
 

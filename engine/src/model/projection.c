@@ -33,13 +33,19 @@ bool tb_projection_round(TbProjection *p, TbArena *arena) {
   return !arena->failed;
 }
 
+/* Modes of a run among the first `part` of its group, among which it begins. */
+static uint32_t run_part(const TbProjectionRun *run, uint32_t part) {
+  const uint32_t left = part - run->first;
+  return run->modes < left ? run->modes : left;
+}
+
 void tb_project_runs(const TbProjectionGroup *group, const TbKernels *kernels, uint32_t part,
                      const double *q, double *grid) {
   memset(grid, 0, group->points * sizeof *grid);
   for (uint32_t r = 0; r < group->runs && group->run[r].first < part; r++) {
     const TbProjectionRun *run = &group->run[r];
-    const uint32_t left = part - run->first, modes = run->modes < left ? run->modes : left;
-    grid[run->point] += kernels->dot(modes, group->along + run->first, q + run->first);
+    grid[run->point] +=
+      kernels->dot(run_part(run, part), group->along + run->first, q + run->first);
   }
 }
 
@@ -48,9 +54,8 @@ void tb_project_runsf(const TbProjectionGroup *group, const TbKernelsF *kernels,
   memset(grid, 0, group->points * sizeof *grid);
   for (uint32_t r = 0; r < group->runs && group->run[r].first < part; r++) {
     const TbProjectionRun *run = &group->run[r];
-    const uint32_t left = part - run->first, modes = run->modes < left ? run->modes : left;
     grid[run->point] +=
-      (double)kernels->dot(modes, group->along_rounded + run->first, q + run->first);
+      (double)kernels->dot(run_part(run, part), group->along_rounded + run->first, q + run->first);
   }
 }
 
@@ -69,7 +74,7 @@ typedef struct Tables {
                   double *grid);
   void (*project_forces)(const TbProjectionGroup *group, const TbKernels *kernels,
                          const double *grid, double *modal);
-  void (*gather)(const TbKernels *kernels, const TbGather *gather);
+  void (*gather)(const TbProjectionGroup *group, const TbKernels *kernels, const TbGather *gather);
 } Tables;
 
 static void project(const TbProjectionGroup *group, const TbKernels *kernels, const double *q,
@@ -82,7 +87,11 @@ static void project_forces(const TbProjectionGroup *group, const TbKernels *kern
   kernels->gemv(group->modes / 8, group->points, modal, group->scatter, grid);
 }
 
-static void gather(const TbKernels *kernels, const TbGather *gather) { kernels->gemm(gather); }
+static void gather(const TbProjectionGroup *group, const TbKernels *kernels,
+                   const TbGather *gather) {
+  (void)group;
+  kernels->gemm(gather);
+}
 
 static void project_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
                             const double *q, double *grid) {
@@ -94,7 +103,9 @@ static void project_forces_rounded(const TbProjectionGroup *group, const TbKerne
   kernels->gemv_rounded(group->modes / 8, group->points, modal, group->scatter_rounded, grid);
 }
 
-static void gather_rounded(const TbKernels *kernels, const TbGather *gather) {
+static void gather_rounded(const TbProjectionGroup *group, const TbKernels *kernels,
+                           const TbGather *gather) {
+  (void)group;
   kernels->gemm_rounded(gather);
 }
 
@@ -103,14 +114,28 @@ static const Tables TABLES[] = {
   [TB_IN_FLOAT] = {project_rounded, project_forces_rounded, gather_rounded},
 };
 
+static void project_all_runs(const TbProjectionGroup *group, const TbKernels *kernels,
+                             const double *q, double *grid) {
+  tb_project_runs(group, kernels, group->modes, q, grid);
+}
+
+static void gather_runs(const TbProjectionGroup *group, const TbKernels *kernels,
+                        const TbGather *gather) {
+  for (uint32_t v = 0; v < gather->vectors; v++) {
+    tb_project_runs(group, kernels, gather->part, gather->x[v], gather->out[v]);
+  }
+}
+
+static const Tables RUNS = {project_all_runs, tb_project_run_forces, gather_runs};
+
+static const Tables *tables_of(const TbProjection *p, const TbProjectionGroup *group) {
+  return group->runs > 0 ? &RUNS : &TABLES[p->precision];
+}
+
 void tb_project(const TbProjection *p, const TbKernels *kernels, const double *q, double *grid) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    if (group->runs > 0) {
-      tb_project_runs(group, kernels, group->modes, q + group->first, grid + group->first_point);
-      continue;
-    }
-    TABLES[p->precision].project(group, kernels, q + group->first, grid + group->first_point);
+    tables_of(p, group)->project(group, kernels, q + group->first, grid + group->first_point);
   }
 }
 
@@ -119,11 +144,6 @@ void tb_project_parts(const TbProjection *p, const TbKernels *kernels, const TbP
                       double *const grid[TB_COUPLINGS]) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    for (uint32_t v = 0; v < vectors && group->runs > 0; v++) {
-      tb_project_runs(group, kernels, parts->size[g], q[v] + group->first,
-                      grid[v] + group->first_point);
-    }
-    if (group->runs > 0) continue;
     TbGather gather = {.vectors = vectors,
                        .blocks = group->points / 8u,
                        .n = group->modes,
@@ -134,7 +154,7 @@ void tb_project_parts(const TbProjection *p, const TbKernels *kernels, const TbP
       gather.x[v] = q[v] + group->first;
       gather.out[v] = grid[v] + group->first_point;
     }
-    TABLES[p->precision].gather(kernels, &gather);
+    tables_of(p, group)->gather(group, kernels, &gather);
   }
 }
 
@@ -142,11 +162,7 @@ void tb_project_forces(const TbProjection *p, const TbKernels *kernels, const do
                        double *modal) {
   for (uint32_t g = 0; g < p->groups; g++) {
     const TbProjectionGroup *group = &p->group[g];
-    if (group->runs > 0) {
-      tb_project_run_forces(group, kernels, grid + group->first_point, modal + group->first);
-      continue;
-    }
-    TABLES[p->precision].project_forces(group, kernels, grid + group->first_point,
+    tables_of(p, group)->project_forces(group, kernels, grid + group->first_point,
                                         modal + group->first);
   }
 }

@@ -66,13 +66,12 @@ TaborStatus tb_rod_prepare(TbRod *rod, TbArena *arena, const TbModes *modes, con
   const uint32_t felt = modes->group[modes->groups];
   *rod = (TbRod){0};
   rod->mode = tb_arena_take(arena, felt, sizeof *rod->mode);
-  rod->push = tb_arena_doubles(arena, felt);
-  rod->all = tb_arena_doubles(arena, modes->padded);
+  rod->push = tb_arena_doubles(arena, modes->padded);
   if (arena->failed) return TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < felt; i++) {
     if (modes->row[i] == TB_NO_MODE || body->modes[modes->row[i]].rod == 0.0) continue;
-    rod->mode[rod->count] = i;
-    rod->all[i] = rod->push[rod->count++] = body->modes[modes->row[i]].rod;
+    rod->mode[rod->count++] = i;
+    rod->push[i] = body->modes[modes->row[i]].rod;
   }
   return TABOR_OK;
 }

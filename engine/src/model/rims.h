@@ -26,8 +26,7 @@
 typedef struct TbRod {
   uint32_t count;
   uint32_t *mode; /* [count] */
-  double *push;   /* [count]: TbBodyMode.rod */
-  double *all;    /* [modes padded]: the same of each mode */
+  double *push;   /* [modes padded]: TbBodyMode.rod */
 } TbRod;
 
 /* Prepares what the body touches: a hi-hat's edges in the room of a wire, or a drum's wires.

@@ -93,14 +93,18 @@ static inline void tb_view_lift(TbView *view, bool lifted) {
   view->solve.in.precision = lifted ? TB_IN_DOUBLE : view->model->contacts;
 }
 
+/* How far the foot of a hi-hat's rod is above its place at rest [m]. */
+static inline double tb_pedal_risen(const TbView *view) {
+  return view->state->live.values[TB_LIVE_OPENING].now - view->model->def.hihat.opening;
+}
+
 /* Displacement of a mode at which the edges of a hi-hat and its pedal hold it, by the forces of the
  * last step; 0 of other bodies. */
 static inline double tb_mode_held(const TbView *view, uint32_t mode) {
   const TaborModel *model = view->model;
   if (!model->wires.rims || mode >= model->modes.group[model->modes.groups]) return 0.0;
-  const double risen = view->state->live.values[TB_LIVE_OPENING].now - model->def.hihat.opening;
   const double edges = view->state->wires.lifted ? 0.0 : model->wires.side * view->modal[mode];
-  const double force = model->rod.all[mode] * risen - edges;
+  const double force = model->rod.push[mode] * tb_pedal_risen(view) - edges;
   return model->modes.stiffness[mode] > 0.0 ? force / model->modes.stiffness[mode] : 0.0;
 }
 

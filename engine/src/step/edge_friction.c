@@ -25,15 +25,6 @@ static double pressure(const TbView *view) {
   return sum;
 }
 
-/* Slots feel where the surface is; nothing touches. */
-static void add_displacements(TbView *view, double sign) {
-  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (!tb_slot_in_play(tb_slot(view, i))) continue;
-    view->next.eta[tb_slot_row(&view->model->rows, i)] +=
-      sign * tb_pool_displacement(view, i, view->next.q);
-  }
-}
-
 /* Decay rates [1/s]: by a hi-hat's edges, by a hand on the edge. */
 typedef struct Rates {
   double edges, hand;
@@ -52,9 +43,9 @@ static double hand_rate(const TbView *view) {
 }
 
 static void shorten(TbView *view, double part) {
-  add_displacements(view, -1.0);
+  tb_pool_add_displacements(view, -1.0, &view->next);
   tb_shorten_modes(view, 1.0 - part);
-  add_displacements(view, 1.0);
+  tb_pool_add_displacements(view, 1.0, &view->next);
 }
 
 bool tb_edge_friction(TbView *view) {

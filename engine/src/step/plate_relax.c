@@ -30,14 +30,9 @@ static void book_contacts(TbView *view) {
   }
 }
 
-/* Adds to the penetrations of slots in play, with this sign, what these feel of the modes. */
 static void add_displacements(TbView *view, double sign) {
-  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
-    if (!tb_slot_in_play(tb_slot(view, i))) continue;
-    const uint32_t row = tb_slot_row(&view->model->rows, i);
-    view->now.eta[row] += sign * tb_pool_displacement(view, i, view->now.q);
-    view->last.eta[row] += sign * tb_pool_displacement(view, i, view->last.q);
-  }
+  tb_pool_add_displacements(view, sign, &view->now);
+  tb_pool_add_displacements(view, sign, &view->last);
 }
 
 /* The edges of a hi-hat follow. The energy that their contacts and the held modes gain by that is

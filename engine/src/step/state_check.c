@@ -136,11 +136,13 @@ static bool slots(const TaborModel *model, const TbState *state) {
   return mask == state->strikers.mask;
 }
 
+static bool edge_grip(const TbEdgeGrip *edge) {
+  return edge->held <= 1u && edge->strength >= 0.0 && edge->strength <= 100.0;
+}
+
 /* A brush whose bristles are gone, as after a swap, may have any definition: it ends in the next
  * step. */
 static bool brushes(const TbState *state) {
-  const TbEdgeGrip *edge = &state->strikers.edge;
-  if (edge->held > 1u || !(edge->strength >= 0.0 && edge->strength <= 100.0)) return false;
   for (uint32_t b = 0; b < TB_BRUSHES; b++) {
     const TbBrush *brush = &state->strikers.brushes[b];
     const double places[] = {brush->radius, brush->x,     brush->y,      brush->dx,
@@ -224,7 +226,8 @@ static bool numbers(const TbState *state) {
 static bool head(const TaborModel *model, const TbState *state) {
   return flags(model, state) && moving(model, state) && microphones(model, state) &&
          numbers(state) && plate(&state->plate) && tb_live_params_in_range(state) &&
-         slots(model, state) && brushes(state) && plucks(model, state);
+         slots(model, state) && edge_grip(&state->strikers.edge) && brushes(state) &&
+         plucks(model, state);
 }
 
 /* ---- arrays --------------------------------------------------------------------------------- */

@@ -130,6 +130,14 @@ double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q) 
   return dot_of_moving(view, tb_slot_modes(view, slot), tb_slot_shape(view, slot), q);
 }
 
+void tb_pool_add_displacements(const TbView *view, double sign, const TbPhase *phase) {
+  for (uint32_t i = 0; view->state->strikers.mask >> i; i++) {
+    if (!tb_slot_in_play(tb_slot(view, i))) continue;
+    phase->eta[tb_slot_row(&view->model->rows, i)] +=
+      sign * tb_pool_displacement(view, i, phase->q);
+  }
+}
+
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q) {
   const TbModeRanges modes = tb_slot_modes(view, slot);
   const double *drive = tb_slot_drive(view, slot);

@@ -25,6 +25,8 @@ typedef struct TbStroke {
 
 /* Displacement of head or hoop at a slot's place with the modes at q [m]. */
 double tb_pool_displacement(const TbView *view, uint32_t slot, const double *q);
+/* Adds to the penetrations of slots in play, with this sign, what these feel of the modes. */
+void tb_pool_add_displacements(const TbView *view, double sign, const TbPhase *phase);
 /* Adds to q what a force at a slot's place [N] does there in one step. */
 void tb_pool_push(const TbView *view, uint32_t slot, double force, double *q);
 /* Adds, adjusts or lifts the mufflers according to their live strengths. */

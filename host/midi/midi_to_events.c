@@ -7,7 +7,7 @@
 static const double RIM_RADIUS = 0.98;         /* of the head: further out it hardly moves */
 static const double CROSS_STICK_RADIUS = 0.6;  /* where its tip lies on the head */
 static const double CROSS_STICK_SPEED = 0.3;   /* of a stroke's: see docs/midi.md */
-static const double PEDAL_SPEED = 0.15;        /* of a stroke's: a foot's */
+static const double PEDAL_SPEED = 0.25;        /* of a stroke's: a foot's */
 static const double PEDAL_CLOSED = 112;        /* the controller's value of a closed hi-hat */
 static const double HAND_RADIUS = 0.5;         /* of the head */
 static const double HAND_WEAKEST = 0.06;       /* [N s/m] */

@@ -148,8 +148,42 @@ static void a_stamp_lifts_and_falls(void **state) {
   tabor_model_release(model);
 }
 
-/* Strokes, stamps and a foot that wanders, at every quality and cap: nothing is made, and nothing
- * lost but in steps that do not settle (contact/majorant.h, step/energy_guard.h). */
+/* The peak of a stamp from this opening, of full scale. */
+static double peak_of_a_stamp(double from, double speed) {
+  enum { FRAMES = 9600 };
+  TaborDrumDef def = hat_def();
+  def.hihat.opening = from;
+  TaborModel *model = physics_model(&def, RATE, TABOR_QUALITY_LIVE);
+  TaborDrum *drum = physics_drum(model);
+  static float sound[FRAMES];
+  float *outputs[TABOR_MAX_MICS] = {sound};
+  const TaborEvent event = stamp(speed);
+  double peak = 0.0;
+  tabor_drum_process(drum, &event, 1, outputs, FRAMES);
+  for (uint32_t i = 0; i < FRAMES; i++) peak = fmax(peak, fabs((double)sound[i]));
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  return peak;
+}
+
+/* The air between the plates stops them before their edges clash: without it, a foot's stroke
+ * passed full scale. Recorded ones are softer than a firm stroke of a stick. */
+static void the_air_cushions_a_stamp(void **state) {
+  (void)state;
+  static const double speeds[] = {0.3, 0.5, 1.0, 1.5, 2.5};
+  const double closed = hat_def().hihat.closed;
+  for (uint32_t i = 0; i < sizeof speeds / sizeof *speeds; i++) {
+    const double from_closed = peak_of_a_stamp(closed, speeds[i]);
+    const double from_open = peak_of_a_stamp(8e-3, speeds[i]);
+    print_message("%.1f m/s: %.3f of full scale from closed, %.3f from open\n", speeds[i],
+                  from_closed, from_open);
+    assert_true(from_closed < 0.25 && from_open < 0.25);
+  }
+}
+
+/* Strokes, stamps and a foot that wanders, at every quality and cap: nothing is made. Steps that do
+ * not settle, as a low cap leaves them, lose energy that the account lacks (contact/majorant.h,
+ * step/energy_guard.h). */
 static void the_energy_account_closes(void **state) {
   (void)state;
   static const uint32_t caps[] = {1, 3, 16};
@@ -184,9 +218,7 @@ static void the_energy_account_closes(void **state) {
                     quality, caps[c], came, made, lost,
                     (uint32_t)(statistics.guarded + statistics.fallbacks));
       assert_true(made < physics_residual(quality));
-      const uint64_t unsettled = statistics.guarded + statistics.fallbacks;
-      if (unsettled == 0) assert_true(lost < physics_residual(quality));
-      assert_true(lost < 1e-3 && (caps[c] < 16 || unsettled == 0));
+      assert_true(lost < (caps[c] < 16 ? 1e-2 : physics_residual(quality)));
       tabor_drum_destroy(drum);
       tabor_model_release(model);
     }
@@ -200,6 +232,7 @@ int main(void) {
     cmocka_unit_test(a_held_hihat_sleeps),
     cmocka_unit_test(the_pedal_damps),
     cmocka_unit_test(a_stamp_lifts_and_falls),
+    cmocka_unit_test(the_air_cushions_a_stamp),
     cmocka_unit_test(the_energy_account_closes),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

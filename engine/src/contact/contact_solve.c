@@ -93,12 +93,29 @@ static void take_law_forces(TbSolve *solve) {
   solve->in.kernels->change(total_rows(solve), solve->in.b, work->product, work->s);
 }
 
+/* M f~ and s of the forces f~. */
+static void follow_forces(TbSolve *solve) {
+  const TbSolveWork *work = &solve->work;
+  product_of(solve, work->wires, work->force, work->grid, work->product);
+  solve->in.kernels->change(total_rows(solve), solve->in.b, work->product, work->s);
+}
+
+/* A Newton step half the way: where slopes of laws with much loss break, whole steps may go round
+ * in a circle of four. The output s is room for the forces before. */
+static void half_step(TbSolve *solve, TbResidual found) {
+  const TbSolveWork *work = &solve->work;
+  const uint32_t rows = total_rows(solve);
+  memcpy(solve->s, work->force, rows * sizeof(double));
+  newton_step(solve, found, solve->in.inner_cap, solve->in.inner_tolerance);
+  for (uint32_t i = 0; i < rows; i++) work->force[i] = 0.5 * (work->force[i] + solve->s[i]);
+  follow_forces(solve);
+}
+
 /* Newton's iteration; true if it came to its end and all is given back. */
 static bool newton(TbSolve *solve, TbStart size, double enough, bool *astray,
                    TbSolveOutcome *outcome) {
-  const TbSolveWork *work = &solve->work;
   const uint32_t cap = solve->in.cap;
-  double way = 0.0;
+  double way = 0.0, before[4]; /* residuals of the last steps */
   for (uint32_t i = 0;; i++) {
     outcome->iterations = i;
     *astray = goes_astray(way, size);
@@ -112,9 +129,14 @@ static bool newton(TbSolve *solve, TbStart size, double enough, bool *astray,
       return true;
     }
     if (i == cap) {
-      product_of(solve, work->wires, work->force, work->grid, work->product);
-      solve->in.kernels->change(total_rows(solve), solve->in.b, work->product, work->s);
+      follow_forces(solve);
       return false;
+    }
+    const bool circles = solve->in.lossy && i >= 5 && found.largest > 0.7 * before[i % 4];
+    before[i % 4] = circles ? INFINITY : found.largest;
+    if (circles) {
+      half_step(solve, found);
+      continue;
     }
     way = newton_step(solve, found, solve->in.inner_cap, solve->in.inner_tolerance);
   }

@@ -47,6 +47,9 @@ typedef struct TbContacts {
   const float *yield; /* [rows]: the head's compliance at a point, to a force there
                        * [m/N]; 0 at the slots */
   bool near;          /* some wire point may touch */
+  /* Edges of a hi-hat, whose laws lose so much that Newton's steps may circle. Drums keep the bits
+   * that they have without looking for that. */
+  bool lossy;
   TbRows rows;
   uint32_t slot_mask;
   bool lifted; /* no wire point can be touched: s and M x are 0 there */

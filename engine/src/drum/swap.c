@@ -20,6 +20,7 @@
 
 #include "drum/drum.h"
 #include "drum/drum_create.h"
+#include "heads/hihat_air.h"
 #include "heads/moving_modes.h"
 #include "math/portable_math.h"
 #include "step/energy.h"
@@ -335,6 +336,7 @@ static void continue_on(const TaborSwap *swap, TbView *from, TbView *to) {
     state->plate = from->state->plate;
     *to->now.psi = *from->now.psi;
   }
+  tb_hihat_air_carry(from, to);
   (void)tb_moving_wake(to, NULL);
   carry_modes(&swap->mapping, from, to);
   carry_wires(from, to, ratio);

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "heads/pedal.h"
 
+#include "heads/mode_force.h"
+
 static TbLiveParam *opening(TbView *view) { return &view->state->live.values[TB_LIVE_OPENING]; }
 
 /* As fast as it may. */
@@ -43,29 +45,16 @@ bool tb_stamp_is_right(const TbStamp *stamp) {
 }
 
 void tb_pedal_push(TbView *view) {
-  const TbRod *rod = &view->model->rod;
-  const double *g = view->model->modes.g, z = tb_pedal_risen(view);
-  for (uint32_t i = 0; i < rod->count; i++) {
-    const uint32_t mode = rod->mode[i];
-    view->next.q[mode] += g[mode] * (rod->push[mode] * z);
-  }
+  tb_mode_force_push(view, &view->model->rod, tb_pedal_risen(view));
 }
 
 double tb_pedal_product(const TbView *view, const double *pull) {
-  const TbRod *rod = &view->model->rod;
-  double sum = 0.0;
-  for (uint32_t i = 0; i < rod->count; i++) {
-    sum += rod->push[rod->mode[i]] * pull[rod->mode[i]];
-  }
-  return tb_pedal_risen(view) * sum;
+  return tb_pedal_risen(view) * tb_mode_force_along(&view->model->rod, pull);
 }
 
 double tb_pedal_work(const TbView *view) {
-  const TbRod *rod = &view->model->rod;
-  double sum = 0.0;
-  for (uint32_t i = 0; i < rod->count; i++) {
-    const uint32_t mode = rod->mode[i];
-    sum += rod->push[mode] * (view->next.q[mode] - view->last.q[mode]);
-  }
-  return 0.5 * tb_pedal_risen(view) * sum;
+  const TbModeForce *rod = &view->model->rod;
+  const double way =
+    tb_mode_force_along(rod, view->next.q) - tb_mode_force_along(rod, view->last.q);
+  return 0.5 * tb_pedal_risen(view) * way;
 }

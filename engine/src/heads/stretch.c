@@ -6,6 +6,7 @@
 
 #include "air/incident_sound.h"
 #include "contact/slot_compliance.h"
+#include "heads/hihat_air.h"
 #include "heads/pedal.h"
 #include "heads/stretch_law.h"
 #include "wires/wire_motion.h"
@@ -117,7 +118,8 @@ void tb_stretch_free(TbView *view) {
     view->stretch.along[h] = view->stretch.sums.along[h] + law_of(view)->shift(view);
     if (view->stretch.summed) /* y g F of what has pushed the modes since */
       view->stretch.along[h] += tb_incident_product(view, view->stretch.pull[h]) +
-                                tb_pedal_product(view, view->stretch.pull[h]);
+                                tb_pedal_product(view, view->stretch.pull[h]) +
+                                tb_hihat_air_product(view, view->stretch.pull[h]);
     view->stretch.rest[h] = 0.0;
   }
   prepare_slots(view);

@@ -58,9 +58,9 @@ static void weigh_head(const TaborModel *model, double *weight) {
 
 /* The rod of a hi-hat. */
 static void push_rod(const TaborModel *model, double *weight) {
-  const TbRod *rod = &model->rod;
+  const TbModeForce *rod = &model->rod;
   for (uint32_t i = 0; i < rod->count; i++) {
-    weight[rod->mode[i]] += rod->push[rod->mode[i]] * model->def.hihat.opening;
+    weight[rod->mode[i]] += rod->along[rod->mode[i]] * model->def.hihat.opening;
   }
 }
 

@@ -103,7 +103,11 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
   tb_modes_shape(&model->modes, &model->body, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
                  model->center);
-  return tb_rod_prepare(&model->rod, &model->arena, &model->modes, &model->body);
+  const TaborStatus status =
+    tb_rod_prepare(&model->rod, &model->arena, &model->modes, &model->body);
+  if (status != TABOR_OK) return status;
+  return tb_hihat_air_prepare(&model->hihat_air, &model->arena, &model->def, &model->modes,
+                              &model->body);
 }
 
 /* Room for a unit force's way through the head. */

@@ -142,7 +142,8 @@ struct TaborModel {
   TbStretch stretch;
   TbPlateCoupling plate;
   TbCascade cascade;
-  TbRod rod;
+  TbModeForce rod;
+  TbHihatAir hihat_air;
   TbLugs lugs;
   double *patches[TABOR_MAX_STRIKERS + 1]; /* of each striker, then of a hand */
   double *palm_patch;

@@ -3,8 +3,11 @@
 
 #include <math.h>
 
+#include "bodies/plate/plate_profile.h"
+#include "math/bessel.h"
 #include "math/draw.h"
 #include "math/portable_math.h"
+#include "math/quadrature.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -62,16 +65,82 @@ TaborStatus tb_rims_or_wires_prepare(TbWires *wires, TbArena *arena, const Tabor
   return tb_wires_prepare(wires, arena, def, time_step, most_cells, error);
 }
 
-TaborStatus tb_rod_prepare(TbRod *rod, TbArena *arena, const TbModes *modes, const TbBody *body) {
+/* ---- forces on the plates ------------------------------------------------------------------- */
+
+typedef double ModeAlong(const TbBody *body, uint32_t row);
+
+static TaborStatus mode_force_prepare(TbModeForce *force, TbArena *arena, const TbModes *modes,
+                                      const TbBody *body, ModeAlong *along_mode) {
   const uint32_t felt = modes->group[modes->groups];
-  *rod = (TbRod){0};
-  rod->mode = tb_arena_take(arena, felt, sizeof *rod->mode);
-  rod->push = tb_arena_doubles(arena, modes->padded);
+  *force = (TbModeForce){0};
+  force->mode = tb_arena_take(arena, felt, sizeof *force->mode);
+  force->along = tb_arena_doubles(arena, modes->padded);
   if (arena->failed) return TABOR_ERROR_MEMORY;
   for (uint32_t i = 0; i < felt; i++) {
-    if (modes->row[i] == TB_NO_MODE || body->modes[modes->row[i]].rod == 0.0) continue;
-    rod->mode[rod->count++] = i;
-    rod->push[i] = body->modes[modes->row[i]].rod;
+    const double along = modes->row[i] == TB_NO_MODE ? 0.0 : along_mode(body, modes->row[i]);
+    if (along == 0.0) continue;
+    force->mode[force->count++] = i;
+    force->along[i] = along;
+  }
+  return TABOR_OK;
+}
+
+static double rod_along(const TbBody *body, uint32_t row) { return body->modes[row].rod; }
+
+TaborStatus tb_rod_prepare(TbModeForce *rod, TbArena *arena, const TbModes *modes,
+                           const TbBody *body) {
+  return mode_force_prepare(rod, arena, modes, body, rod_along);
+}
+
+/* Int w dA: 2 pi R^2 J_1(z)/z of each Bessel function, pi R^2 of the edge. */
+static double volume_under(const TbBody *body, uint32_t row, uint32_t surface) {
+  const TbBodyMode *mode = &body->modes[row];
+  const TbBodyOrder *order = &body->orders[mode->m];
+  const double *v = order->vectors[surface] + (size_t)mode->place * order->zero_count;
+  const double area = PI * body->radius * body->radius;
+  double sum = order->edge[surface][mode->place];
+  for (uint32_t i = 0; i < order->zero_count; i++) {
+    sum += 2.0 * v[i] * tb_bessel_j(1, order->zeros[i]) / order->zeros[i];
+  }
+  return area * sum;
+}
+
+static double volume_along(const TbBody *body, uint32_t row) {
+  if (body->modes[row].m > 0) return 0.0;
+  return volume_under(body, row, 0) - volume_under(body, row, 1);
+}
+
+/* Between a plate at rest and the plane of its edge: -pi Int r^2 w0'(r) dr. */
+static double dome(const TaborPlateDef *plate, double radius) {
+  enum { PANELS = 8, NODES = PANELS * TB_PANEL };
+  double nodes[NODES], weights[NODES], sum = 0.0;
+  tb_quadrature(0.0, radius, PANELS, nodes, weights);
+  for (uint32_t i = 0; i < NODES; i++) {
+    sum -= weights[i] * nodes[i] * nodes[i] * tb_plate_profile(plate, radius, nodes[i]).slope;
+  }
+  return PI * sum;
+}
+
+/* Between closed plates: their domes, and the mean gap of edges that meet where it is least. */
+static double closed_volume(const TaborDrumDef *def) {
+  const double radius = def->shell.radius;
+  const double gap = 0.5 * (def->hihat.tilt + def->hihat.unevenness);
+  return dome(&def->plate, radius) + dome(&def->bottom, radius) + PI * radius * radius * gap;
+}
+
+TaborStatus tb_hihat_air_prepare(TbHihatAir *air, TbArena *arena, const TaborDrumDef *def,
+                                 const TbModes *modes, const TbBody *body) {
+  *air = (TbHihatAir){0};
+  const double volume = closed_volume(def);
+  const bool exists = def->body.kind == TABOR_BODY_HIHAT && def->air.density > 0.0;
+  if (!exists || !(volume > 0.0)) return TABOR_OK;
+  air->stiffness = def->air.density * def->air.sound_speed * def->air.sound_speed / volume;
+  air->width = 2.0 * PI * def->shell.radius / def->hihat.points;
+  const TaborStatus status = mode_force_prepare(&air->volume, arena, modes, body, volume_along);
+  if (status != TABOR_OK) return status;
+  for (uint32_t i = 0; i < air->volume.count; i++) {
+    const uint32_t mode = air->volume.mode[i];
+    air->response += modes->g[mode] * air->volume.along[mode] * air->volume.along[mode];
   }
   return TABOR_OK;
 }

@@ -22,19 +22,34 @@
 #include "model/modes.h"
 #include "model/wires.h"
 
-/* The modes that the rod pushes. */
-typedef struct TbRod {
+/* A force F that acts on some modes by F along_i. */
+typedef struct TbModeForce {
   uint32_t count;
   uint32_t *mode; /* [count] */
-  double *push;   /* [modes padded]: TbBodyMode.rod */
-} TbRod;
+  double *along;  /* [modes padded] */
+} TbModeForce;
+
+/* The air between the plates (heads/hihat_air.h). Its volume changes by Sum_i along_i q_i, which is
+ * Int (w_top - w_bottom) dA; the pressure is a force along it. */
+typedef struct TbHihatAir {
+  TbModeForce volume; /* along_i [m^2/kg^1/2] */
+  double stiffness;   /* rho c^2/V, V the volume between closed plates [Pa/m^3]; 0: no air */
+  double response;    /* Sum_i g_i along_i^2: by which a pressure changes the volume in a step */
+  double width;       /* 2 pi R/points: what each place has of the edges [m] */
+} TbHihatAir;
 
 /* Prepares what the body touches: a hi-hat's edges in the room of a wire, or a drum's wires.
  * Returns what tb_wires_prepare() returns. */
 TaborStatus tb_rims_or_wires_prepare(TbWires *wires, TbArena *arena, const TaborDrumDef *def,
                                      double time_step, uint32_t most_cells, TaborError *error);
 
-/* Prepares the rod for modes that the edges feel; without a hi-hat, an empty one. */
-TaborStatus tb_rod_prepare(TbRod *rod, TbArena *arena, const TbModes *modes, const TbBody *body);
+/* Prepares the rod, whose force is along TbBodyMode.rod, for modes that the edges feel; without a
+ * hi-hat, an empty one. */
+TaborStatus tb_rod_prepare(TbModeForce *rod, TbArena *arena, const TbModes *modes,
+                           const TbBody *body);
+
+/* Prepares the air between a hi-hat's plates; an empty one without a hi-hat, or without air. */
+TaborStatus tb_hihat_air_prepare(TbHihatAir *air, TbArena *arena, const TaborDrumDef *def,
+                                 const TbModes *modes, const TbBody *body);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-/* A plate's part of the state: its large deflections (heads/von_karman.h). */
+/* A plate's part of the state: its large deflections (heads/von_karman.h), and the air between two
+ * (heads/hihat_air.h). */
 #ifndef TB_PLATE_STATE_H
 #define TB_PLATE_STATE_H
 
@@ -12,5 +13,14 @@ typedef struct TbPlateState {
   double part;    /* of the coupling that acts, 0 to 1 */
   uint64_t draws; /* of the cascade, so far */
 } TbPlateState;
+
+/* Volumes [m^3] are of a step; the last two fields are of no effect between steps. */
+typedef struct TbHihatAirState {
+  double pressure;    /* p [Pa] */
+  double energy;      /* e [J]; below 0 by what the contacts of one step took too much */
+  double by_contacts; /* what contacts added to W in the last step */
+  double mean;        /* P [Pa] */
+  double foreseen;    /* W without contacts */
+} TbHihatAirState;
 
 #endif

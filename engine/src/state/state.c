@@ -72,6 +72,7 @@ static TbSolveWorkF workf_at(TbState *state, const TaborModel *model, float *mod
 static TbContacts contacts_of(TbState *state, const TaborModel *model) {
   return (TbContacts){.kernels = model->kernels,
                       .wire_grid = &model->projection.wire_grid,
+                      .lossy = model->wires.rims,
                       .compliance = &model->compliance,
                       .kernelsf = model->kernelsf,
                       .wire_gridf = &model->wire_gridf,

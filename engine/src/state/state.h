@@ -31,6 +31,7 @@ typedef struct TbState {
   TbLiveValues live;
   TbStrikerState strikers;
   TbPlateState plate;
+  TbHihatAirState air;
   TbWireState wires;
   TbHighBandState high;
   TbMicState mics;
@@ -104,7 +105,7 @@ static inline double tb_mode_held(const TbView *view, uint32_t mode) {
   const TaborModel *model = view->model;
   if (!model->wires.rims || mode >= model->modes.group[model->modes.groups]) return 0.0;
   const double edges = view->state->wires.lifted ? 0.0 : model->wires.side * view->modal[mode];
-  const double force = model->rod.push[mode] * tb_pedal_risen(view) - edges;
+  const double force = model->rod.along[mode] * tb_pedal_risen(view) - edges;
   return model->modes.stiffness[mode] > 0.0 ? force / model->modes.stiffness[mode] : 0.0;
 }
 

@@ -89,7 +89,7 @@ double tb_energy_wires(const TbView *view, const TbPhase *next, const TbPhase *n
 double tb_energy_stored(const TbView *view, const TbPhase *next, const TbPhase *now) {
   return modes_energy(view, next, now) + tb_stretch_energy(view, next, now) +
          tb_lug_forces_energy(view, next->q, now->q) + tb_energy_wires(view, next, now) +
-         strikers_energy(view, next, now);
+         strikers_energy(view, next, now) + view->state->air.energy;
 }
 
 double tb_energy_motion(const TbView *view, const TbPhase *next, const TbPhase *now) {

@@ -2,6 +2,7 @@
 #include "step/energy_guard.h"
 
 #include "air/incident_sound.h"
+#include "heads/hihat_air.h"
 #include "heads/pedal.h"
 #include "step/energy.h"
 #include "strikers/striker_hold.h"
@@ -35,7 +36,7 @@ double tb_energy_and_losses(const TbView *view) {
   const TbHoldWork hands = tb_hold_work(view);
   return tb_energy_stored(view, &view->next, &view->now) + losses.head + losses.radiated +
          losses.shell + losses.wires + hands.lost - hands.done - tb_incident_work(view) -
-         tb_pluck_work(view) - tb_pedal_work(view);
+         tb_pluck_work(view) - tb_pedal_work(view) - tb_hihat_air_work(view);
 }
 
 bool tb_energy_guard(TbView *view) {

@@ -7,6 +7,7 @@
 #include "air/high_band_step.h"
 #include "air/mic_output.h"
 #include "heads/coupling.h"
+#include "heads/hihat_air.h"
 #include "heads/moving_modes.h"
 #include "heads/pedal.h"
 #include "heads/stretch.h"
@@ -88,6 +89,7 @@ static void return_to_rest(TbView *view) {
 }
 
 static void stop(TbView *view) {
+  tb_hihat_air_rest(view);
   const TaborModel *model = view->model;
   const uint32_t rows = tb_row_count(&model->rows);
   memcpy(view->last.q, view->now.q, model->modes.padded * sizeof(double));

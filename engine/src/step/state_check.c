@@ -203,6 +203,11 @@ static bool microphones(const TaborModel *model, const TbState *state) {
 }
 
 /* Its energy, psi^2 - C, may be negative. */
+static bool hihat_air(const TbHihatAirState *air) {
+  const double numbers[] = {air->pressure, air->energy, air->by_contacts, air->mean, air->foreseen};
+  return all_within(NUMBERS(numbers), MOST);
+}
+
 static bool plate(const TbPlateState *plate) {
   return all_within(NUMBERS(plate->psi), MOST) && plate->shift >= 0.0 &&
          within(plate->shift, MOST) && within(plate->energy, MOST) && plate->part >= 0.0 &&
@@ -225,9 +230,9 @@ static bool numbers(const TbState *state) {
 
 static bool head(const TaborModel *model, const TbState *state) {
   return flags(model, state) && moving(model, state) && microphones(model, state) &&
-         numbers(state) && plate(&state->plate) && tb_live_params_in_range(state) &&
-         slots(model, state) && edge_grip(&state->strikers.edge) && brushes(state) &&
-         plucks(model, state);
+         numbers(state) && plate(&state->plate) && hihat_air(&state->air) &&
+         tb_live_params_in_range(state) && slots(model, state) &&
+         edge_grip(&state->strikers.edge) && brushes(state) && plucks(model, state);
 }
 
 /* ---- arrays --------------------------------------------------------------------------------- */

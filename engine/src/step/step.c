@@ -9,6 +9,7 @@
 #include "air/mic_output.h"
 #include "air/radiated_energy.h"
 #include "heads/coupling.h"
+#include "heads/hihat_air.h"
 #include "heads/lug_forces.h"
 #include "heads/pedal.h"
 #include "heads/stretch.h"
@@ -187,6 +188,7 @@ static void book_losses(TbView *view, bool shortened) {
   sums->injected += hands.done + sound + plucks;
   sums->damper_loss += hands.lost;
   if (!tb_pedal_rests(view)) sums->control += tb_pedal_work(view);
+  sums->contact_loss += tb_hihat_air_end(view);
 }
 
 static void count(TaborStatistics *statistics, const TbSolveOutcome *outcome) {
@@ -245,6 +247,7 @@ void tb_step(TbView *view, uint32_t heard, double *pressure) {
   tb_incident_push(view);   /* sound from outside -> next.q */
   tb_lug_forces_pull(view); /* now.q -> next.q */
   if (!tb_pedal_rests(view)) tb_pedal_push(view); /* pedal -> next.q */
+  tb_hihat_air_push(view);                        /* now.eta; next.q, last.q -> next.q */
   TB_STAGE(STRETCH);
   tb_stretch_free(view);  /* next.q, now.q, last.q -> stretch of this step: r and W of stretch.h */
   free_penetration(view); /* next, r, W -> b, next.truncated, and last.eta as the laws want it */

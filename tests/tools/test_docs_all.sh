@@ -19,7 +19,7 @@ stale() { tools/docs/all --stale 2>&1 | grep -c "^older than what it shows: $1 "
 # What is written: names with '*' are files of today.
 # shellcheck disable=SC2046 # names without blanks
 printf '%s\n' $(tools/docs/all --list | cut -d ' ' -f 2-) | sort >made
-find docs \( -name '*.png' -o -name '*.svg' -o -name '*.flac' -o -name '*.json' \) | sort >files
+find docs \( -name '*.png' -o -name '*.svg' -o -name '*.flac' -o -name '*.webp' -o -name '*.json' \) | sort >files
 same "files that no tool makes anew, or more than one" "" "$({ comm -23 files made; uniq -d made; } | paste -sd ' ')"
 same "what is made but is not there" "" "$(xargs ls 2>&1 >/dev/null <made)"
 tools/docs/all --stale >names 2>errors

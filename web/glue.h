@@ -16,7 +16,7 @@
  * | definition_glue.c | numbers of a drum's definition |
  * | build_glue.c | models, beginning and end |
  * | play_glue.c | what happens to it, and its sound |
- * | picture_glue.c | pictures of a drum that sounds |
+ * | picture_glue.c | pictures of a drum that sounds, and its modes |
  * | midi_glue.c | MIDI, live and from files |
  */
 #ifndef TABOR_WEB_GLUE_H

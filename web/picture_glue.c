@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file picture_glue.c
- * Pictures of a drum that sounds: its heads, its wires and what strikes it.
+ * Pictures of a drum that sounds: its heads, its wires and what strikes it; and its modes.
  */
+#include <math.h>
+
 #include "glue.h"
 
 static uint32_t places(const TaborView *view) { return view->radii * view->angles; }
@@ -55,6 +57,27 @@ void web_take_picture(WebInstrument *web, float *to) {
   to = put(to, view->wires, points(view));
   to = put(to, view->wire_force, points(view));
   put_sticks(to, view);
+}
+
+/* A mode by its number, in order of frequency: frequency [Hz], time for 60 dB [s], nodal diameters,
+ * 1 with a sine copy beside it, a TaborModePart, phase; 0 past the last. */
+EXPORT("mode_value")
+double web_mode_value(const WebInstrument *web, uint32_t drum, uint32_t mode, uint32_t index) {
+  TaborModeInfo info;
+  if (!tabor_model_mode(web->models[drum], mode, &info)) return 0;
+  const double values[] = {info.frequency, log(1000) / info.decay_rate,
+                           info.m,         info.multiplicity - 1,
+                           info.part,      info.phase};
+  return index < sizeof values / sizeof *values ? values[index] : 0;
+}
+
+/* tabor_model_mode_shape(). */
+EXPORT("mode_shape")
+double web_mode_shape(const WebInstrument *web, uint32_t drum, uint32_t mode, uint32_t surface,
+                      double radius) {
+  double shape;
+  (void)tabor_model_mode_shape(web->models[drum], mode, surface, radius, &shape);
+  return shape;
 }
 
 /* The pictures of the block that was filmed last. */

@@ -17,6 +17,19 @@ def test_modes_are_the_programs(program):
     assert list(modes["part"]) == [row["head"] for row in expected]
 
 
+def test_shapes_of_modes():
+    model = tabor.Model("tom-12", quality="draft")
+    row = int(np.flatnonzero((model.modes["m"] == 0) & (model.modes["part"] == "batter"))[0])
+    radius = model.definition["shell.radius"]
+    shape = model.mode_shape(row, np.linspace(0, radius, 9))
+    assert shape.shape == (9,)
+    assert abs(shape[0]) == max(abs(shape)) and abs(shape[-1]) < 0.01 * abs(shape[0])
+    assert model.mode_shape(row, 0.0) == shape[0]
+    for wrong in ((row, 1.1 * radius, 0), (len(model.modes), 0.0, 0), (row, 0.0, 2)):
+        with pytest.raises(ValueError, match="has no shape"):
+            model.mode_shape(*wrong)
+
+
 def test_live_unless_asked():
     assert tabor.Model("frame-drum").info.quality == "live"
     assert tabor.Model("frame-drum", quality="definition").info.quality == "studio"

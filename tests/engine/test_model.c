@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* What tabor_model_create() and its like refuse, and how they say it. */
+#include "math/bessel.h"
 #include "model/build_estimate.h"
 #include "physics.h"
 
@@ -317,8 +318,48 @@ static void a_build_can_be_cancelled_anywhere(void **state) {
   }
 }
 
+/* In a vacuum J_m(z r/R) over the square root of its mass, sigma pi R^2 J_{m+1}(z)^2, half of that
+ * for m > 0. */
+static void the_shape_of_a_mode_is_its_bessel_function(void **state) {
+  (void)state;
+  static const struct {
+    uint32_t m, n;
+    double zero; /* of J_m: [DLMF] 10.21 */
+  } modes[] = {{0, 1, 2.404825557695773}, {1, 1, 3.831705970207512}, {0, 2, 5.520078110286311}};
+  TaborDrumDef def = physics_preset("frame-drum");
+  def.air.density = 0.0;
+  def.batter.bending_stiffness = 0.0;
+  const double r = def.shell.radius;
+  TaborModel *model = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  TaborModeInfo info;
+  uint32_t found = 0;
+  double shape;
+  for (uint32_t row = 0; tabor_model_mode(model, row, &info); row++) {
+    for (uint32_t i = 0; i < sizeof modes / sizeof *modes; i++) {
+      if (info.m != modes[i].m || info.n != modes[i].n) continue;
+      const double slope = tb_bessel_j(info.m + 1, modes[i].zero);
+      const double disc = def.batter.surface_density * 3.14159265358979323846 * r * r;
+      const double mass = (info.m > 0 ? 0.5 : 1.0) * disc * slope * slope;
+      for (double part = 0.0; part <= 1.0; part += 0.125) {
+        assert_true(tabor_model_mode_shape(model, row, 0, part * r, &shape));
+        const double expected = tb_bessel_j(info.m, modes[i].zero * part) / sqrt(mass);
+        assert_true(fabs(fabs(shape) - fabs(expected)) < 1e-6 / sqrt(mass));
+      }
+      found++;
+    }
+  }
+  assert_int_equal(found, 3);
+  assert_false(tabor_model_mode_shape(model, 0, 1, 0.0, &shape));
+  assert_false(tabor_model_mode_shape(model, 0, 0, 1.01 * r, &shape));
+  assert_false(tabor_model_mode_shape(model, 0, 0, NAN, &shape));
+  assert_false(tabor_model_mode_shape(model, UINT32_MAX, 0, 0.0, &shape));
+  assert_true(shape == 0.0);
+  tabor_model_release(model);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+    cmocka_unit_test(the_shape_of_a_mode_is_its_bessel_function),
     cmocka_unit_test(options_out_of_range_are_named_with_their_value_and_range),
     cmocka_unit_test(what_is_null_is_named),
     cmocka_unit_test(memory_is_estimated_within_a_factor_of_3),

@@ -37,6 +37,7 @@ function complain(text) {
 /** Hears errors, and requests to anybody else. */
 function watch(page) {
   page.on("console", (message) => {
+    if (message.text().endsWith("blocked by Playwright")) return; // as open() has asked for
     if (["error", "warning"].includes(message.type())) complain(`the console says: ${message.text()}`);
   });
   page.on("pageerror", (error) => complain(`an error: ${error.message}`));
@@ -62,8 +63,9 @@ const sendMidi = (page, ...data) => page.evaluate((data) => globalThis.midiInput
 const status = (page, text) => page.locator("#status", { hasText: text }).waitFor({ timeout: WAIT });
 
 async function open(browser, options) {
-  const context = await browser.newContext(options);
+  const context = await browser.newContext({ serviceWorkers: "block", ...options }); // a worker's requests would not be seen here
   await context.addInitScript(offerMidi);
+  await context.addInitScript(keepTones);
   const page = await context.newPage();
   page.setDefaultTimeout(WAIT);
   watch(page);
@@ -147,7 +149,7 @@ async function checkAccess(page, where) {
 }
 
 async function prepareToRecord(page) {
-  await page.getByRole("heading").click(); // a gesture without a stroke
+  await page.getByRole("heading", { level: 1 }).click(); // a gesture without a stroke
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
   await page.getByRole("button", { name: "MIDI", exact: true }).click();
   await status(page, "1 MIDI input");
@@ -279,7 +281,7 @@ async function playFiles(browser) {
 async function playLong(browser) {
   for (const [preset, quality] of [["tom-12", "live"], ["bass-drum-22", "live"], ["snare-14x5.5", "draft"], ["kit:standard", "draft"]]) {
     const page = await open(browser, {});
-    await page.getByRole("heading").click();
+    await page.getByRole("heading", { level: 1 }).click();
     await choose(page, preset, quality);
     const gaps = async () => parseInt((await page.locator("#gaps").textContent()).replace(/^\D*/, "") || "0", 10);
     await page.locator("#drum").press("a");
@@ -423,7 +425,7 @@ async function operate(browser) {
   await page.getByRole("button", { name: "MIDI", exact: true }).click();
   await status(page, "1 MIDI input");
   await snares.uncheck();
-  await page.getByRole("heading").click();
+  await page.getByRole("heading", { level: 1 }).click();
   await page.keyboard.press("b");
   if (!(await snares.isChecked())) complain("the key b does not put the snares on");
   await sendMidi(page, 0xb0, 20, 0);
@@ -436,6 +438,59 @@ async function operate(browser) {
   if (Math.abs(sum - 100) > 1) complain(`the energy account adds up to ${sum} %`);
   await page.locator("#drum").press("]");
   await status(page, "Building");
+  await status(page, "Ready");
+  await page.context().close();
+}
+
+/** One click isolates a mode: what it is, is said, and it is seen and heard alone until a stroke, or while it is driven. */
+async function isolateMode(browser) {
+  const page = await open(browser, {});
+  await choose(page, "tom-12", "draft");
+  const modes = page.getByRole("group", { name: "The lowest modes by frequency" }).getByRole("button");
+  if ((await modes.count()) < 10) complain(`${await modes.count()} modes are listed`);
+  const fundamental = modes.first();
+  const drive = page.getByRole("button", { name: "Drive it" });
+  const picture = () => page.locator("#drum").screenshot();
+  const still = await picture();
+  await fundamental.click();
+  const words = await page.locator("#mode-text").textContent();
+  if (!/^[\d.]+ Hz: 0 nodal diameters, 0 nodal circles; both heads, together; dies away by 60 dB in [\d.]+ s$/.test(words)) complain(`a mode is said to be '${words}'`);
+  const hears = (loud) => page.waitForFunction((loud) => globalThis.tones.some(({ value }) => value > 0.01) === loud, loud);
+  await hears(true);
+  if (still.equals(await picture())) complain("a mode that is isolated is not seen");
+  await drive.click();
+  if ((await drive.getAttribute("aria-pressed")) !== "true") complain("a mode is not driven");
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.1)));
+  if ((await fundamental.getAttribute("aria-pressed")) !== "false" || !(await drive.isDisabled())) complain("a stroke does not end a mode's motion");
+  await hears(false);
+  await page.context().close();
+}
+
+/** The gains of sines in window.tones. */
+function keepTones() {
+  globalThis.tones = [];
+  const Original = globalThis.GainNode;
+  globalThis.GainNode = class extends Original {
+    constructor(...options) {
+      super(...options);
+      globalThis.tones.push(this.gain);
+    }
+  };
+}
+
+/** The second time the page opens without a network, and can be installed. */
+async function openOffline(browser) {
+  const page = await (await browser.newContext()).newPage(); // whose failed requests are meant
+  page.setDefaultTimeout(WAIT);
+  await page.goto(address);
+  await status(page, "Ready");
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.reload();
+  await status(page, "Ready");
+  const manifest = await page.evaluate(async () => (await fetch(document.querySelector("link[rel=manifest]").href)).json());
+  if (manifest.display !== "standalone" || manifest.icons.length === 0) complain("the page cannot be installed");
+  await page.context().setOffline(true);
+  await page.reload();
   await status(page, "Ready");
   await page.context().close();
 }
@@ -485,7 +540,7 @@ async function openUnwatched(browser, address) {
 /** Sound that was stopped goes on when the page is shown again and at a gesture, also from the state that iOS alone has. */
 async function interrupt(browser) {
   const page = await openUnwatched(browser, address);
-  await page.getByRole("heading").click();
+  await page.getByRole("heading", { level: 1 }).click();
   await untilItRuns(page);
   await page.evaluate(() => globalThis.contexts[0].suspend());
   await page.evaluate(() => document.dispatchEvent(new Event("visibilitychange")));
@@ -494,7 +549,7 @@ async function interrupt(browser) {
     await globalThis.contexts[0].suspend();
     Object.defineProperty(globalThis.contexts[0], "state", { get: () => "interrupted", configurable: true });
   });
-  await page.getByRole("heading").click();
+  await page.getByRole("heading", { level: 1 }).click();
   await page.evaluate(() => delete globalThis.contexts[0].state);
   await untilItRuns(page);
   await page.context().close();
@@ -504,10 +559,10 @@ async function interrupt(browser) {
 async function lackSound(browser) {
   const page = await openUnwatched(browser, address);
   await page.evaluate(() => { globalThis.lacksModules = true; });
-  await page.getByRole("heading").click();
+  await page.getByRole("heading", { level: 1 }).click();
   await status(page, "There is no sound");
   await page.evaluate(() => { globalThis.lacksModules = false; });
-  await page.getByRole("heading").click();
+  await page.getByRole("heading", { level: 1 }).click();
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
   await page.context().close();
   const insecure = await openUnwatched(browser, address.replace("127.0.0.1", INSECURE));
@@ -630,6 +685,8 @@ try {
   await cancel(browser);
   await limitBuilds(browser);
   await operate(browser);
+  await isolateMode(browser);
+  await openOffline(browser);
   await strikeWithoutSnares(browser);
   await interrupt(browser);
   await lackSound(browser);

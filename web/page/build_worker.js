@@ -17,6 +17,8 @@ const TRIAL_SPEED = 4.5; // [m/s]
 const BLOCK = 128; // frames
 const DRUMS_OWN = -1; // striker
 const HEADS = ["batter", "resonant"]; // in the engine's order
+const MOST_MODES = 24; // that the page lists
+const RIM = 4; // a TaborModePart
 
 /** Plays a stroke on all drums at once; returns the computing time as a share of its duration. */
 function trial(engine, instrument, drums, rate) {
@@ -38,6 +40,23 @@ function pictureOf(engine, instrument, drum) {
     Array.from({ length: 8 }, (_, i) => engine.picture_shape(instrument, drum, i));
   const places = Array.from(new Float64Array(engine.memory.buffer, engine.wire_places(instrument, drum), 4 * wires)); // [m]
   return { heads, circles, angles, wires, points, sticks, values, wiresHead, places, size: engine.picture_size(instrument, drum) };
+}
+
+/** The lowest modes of a drum, and their shapes along a radius. Left out are those of hoop and shell, and those that hardly move
+ * where a stick lands. */
+function modesOf(engine, instrument, drum, { radius, place }, { heads, circles }) {
+  const modes = [];
+  for (let row = 0; modes.length < MOST_MODES; row++) {
+    const [frequency, time, m, copies, part, phase] =
+      Array.from({ length: 6 }, (_, i) => engine.mode_value(instrument, drum, row, i));
+    if (!frequency) break;
+    const shapes = Array.from({ length: heads }, (_, head) =>
+      Array.from({ length: circles }, (_, i) => engine.mode_shape(instrument, drum, row, head, (radius * i) / (circles - 1))));
+    const most = Math.max(...shapes.flat().map(Math.abs));
+    const struck = Math.abs(engine.mode_shape(instrument, drum, row, 0, place));
+    if (part !== RIM && struck > 0.02 * most) modes.push({ frequency, time, m, copies, part, phase, shapes, most });
+  }
+  return modes;
 }
 
 /** Asks the definition of a drum for numbers, pitches of heads and names of strikers. */
@@ -115,7 +134,9 @@ function standOf(engine, kit, drum) {
 function factsOf(engine, instrument, drum, isKit, preset) {
   const definition = definitionOf(engine, instrument, drum);
   const stand = isKit ? standOf(engine, instrument, drum) : {};
-  return { ...looksOf(definition), ...stand, preset, now: controlsOf(definition), picture: pictureOf(engine, instrument, drum) };
+  const looks = looksOf(definition), picture = pictureOf(engine, instrument, drum);
+  const lowModes = modesOf(engine, instrument, drum, looks, picture);
+  return { ...looks, ...stand, preset, now: controlsOf(definition), picture, lowModes };
 }
 
 /** Facts of a whole kit. */

@@ -10,36 +10,51 @@ const PARTS = [
   ["shell_loss", "lost in hoop, shell, air"],
   ["radiated", "radiated as sound"],
   ["removed", "left with the sticks"],
+  ["taken", "taken by what was moved"],
 ];
 
-export class EnergyView {
-  #rows = new Map(); // { meter, text }
+/** Of what the strokes brought. Where controls took energy out, that went somewhere, too. */
+function sharesOf(ledger) {
+  const whole = ledger.injected + Math.max(ledger.control, 0);
+  const parts = { ...ledger, taken: -ledger.control };
+  return PARTS.map(([name]) => (whole > 0 ? Math.max(parts[name], 0) / whole : 0));
+}
 
-  constructor(table) {
-    for (const [name, text] of PARTS) this.#rows.set(name, this.#addRow(table, text));
+export class EnergyView {
+  #bar;
+  #rows = new Map(); // { piece, text }
+
+  /** One bar of all parts, and a legend with a row for each. */
+  constructor(bar, table) {
+    this.#bar = bar;
+    for (const [name, text] of PARTS) this.#rows.set(name, this.#addRow(table, name, text));
   }
 
-  #addRow(table, title) {
+  #addRow(table, name, title) {
     const row = table.insertRow();
     const head = document.createElement("th");
     head.scope = "row";
-    head.textContent = title;
-    const meter = document.createElement("meter");
-    meter.setAttribute("aria-label", title);
+    const swatch = document.createElement("span");
+    swatch.className = name;
+    head.append(swatch, title);
     const text = document.createTextNode("");
     row.append(head);
-    row.insertCell().append(meter);
     row.insertCell().append(text);
-    return { meter, text };
+    const piece = document.createElement("span");
+    piece.className = name;
+    this.#bar.append(piece);
+    return { piece, text };
   }
 
-  /** Shows each part as a share of what the strokes brought. */
+  /** Shows each part as a share, which together are 100 %. */
   show(ledger) {
-    const whole = ledger.injected + Math.max(ledger.control, 0);
-    for (const [name, { meter, text }] of this.#rows) {
-      const share = whole > 0 ? Math.max(ledger[name] / whole, 0) : 0;
-      meter.value = Math.min(share, 1);
-      text.data = `${(100 * share).toFixed(1)} %`;
-    }
+    const shares = sharesOf(ledger);
+    const words = PARTS.map(([name, title], i) => {
+      const { piece, text } = this.#rows.get(name);
+      piece.style.flexGrow = shares[i];
+      text.data = `${(100 * shares[i]).toFixed(1)} %`;
+      return `${title} ${text.data}`;
+    });
+    this.#bar.setAttribute("aria-label", words.join(", "));
   }
 }

@@ -8,6 +8,7 @@ import { FilmView } from "./film_view.js";
 import { actionOf } from "./keys.js";
 import { kitOf, listedKit, settingsOfKit } from "./kits.js";
 import { MidiMap, listenToMidi } from "./midi.js";
+import { ModesView } from "./modes_view.js";
 import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
@@ -25,11 +26,12 @@ const link = new URLSearchParams(location.hash.slice(1)); // the drum that a lin
 
 const view = new DrumView(element("drum"));
 const film = new FilmView(element("motion"), element("motion-text"), (heights) => view.setHeights(heights));
-const energy = new EnergyView(element("energy"));
+const energy = new EnergyView(element("energy-bar"), element("energy"));
 const spectrum = new SpectrumView(element("spectrum"));
 const controls = new DrumControls(element("drum-controls"), link, changeDrum);
 let presets = []; // { name, comment }, kits with a name of the list
 let sound = null;
+let modes = null;
 let midi = null;
 let facts = null; // of the drum or kit that sounds
 let tried = null; // the quality that is being built
@@ -189,6 +191,7 @@ function useDrum(built) {
   showFacts();
   view.show(drums());
   film.show(drums());
+  modes.show(drums()[last.drum], last.drum);
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
   controls.show(drums()[last.drum]);
@@ -272,6 +275,7 @@ function strikePlace({ drum, radius, angle, velocity, technique = 0, striker, no
   const share = radius / drums()[drum].radius;
   last = { drum, share, angle, velocity };
   if (facts.drums) controls.select(facts.drums[drum]); // the drum that was struck last is the one to tune
+  modes.show(drums()[drum], drum);
   sound.strike({ drum, velocity, radius, angle, technique, striker, note });
 }
 
@@ -539,6 +543,7 @@ async function begin() {
   presets = listPresets(engine);
   midi = new MidiMap(engine);
   sound = new Sound(bytes);
+  modes = new ModesView(element("modes"), element("mode-text"), element("drive"), (heights) => view.setHeights(heights), sound);
   fillPresets();
   showSpeed();
   listen();
@@ -547,4 +552,6 @@ async function begin() {
   chooseQuality();
 }
 
+/* From the second visit on the page needs no network. It works without that, too. */
+navigator.serviceWorker?.register("offline.js").catch(() => {});
 begin().catch((error) => fail(error.message));

@@ -4,6 +4,7 @@
 export const RATE = 48000; // [Hz]; the browser converts to the device's
 export const CHANNELS = 2;
 const SPECTRUM_FRAMES = 4096;
+const FADE = 0.01; // of a tone [s]
 export const QUALITIES = ["", "draft", "live", "studio"]; // by the engine's numbers
 
 export class Sound extends EventTarget {
@@ -18,6 +19,7 @@ export class Sound extends EventTarget {
   #song = null; // likewise
   #strainer = null; // where the snares were put before
   #films = false;
+  #tone = null; // a sine beside the drum
 
   constructor(bytes) {
     super();
@@ -104,6 +106,31 @@ export class Sound extends EventTarget {
   /** Gaps in the sound so far; undefined where the browser does not count them. */
   get gaps() {
     return this.#context?.playbackStats?.underrunEvents;
+  }
+
+  /** A sine beside the drum [Hz], which falls by 60 dB in `time` [s]; infinite: it stays. Instead of the one before. */
+  playTone(frequency, amplitude, time) {
+    this.start();
+    this.endTone();
+    if (!this.#context) return;
+    const now = this.#context.currentTime, end = now + (time < Infinity ? time : 0);
+    const gain = new GainNode(this.#context, { gain: amplitude });
+    const source = new OscillatorNode(this.#context, { frequency });
+    if (end > now) gain.gain.setValueAtTime(amplitude, now).exponentialRampToValueAtTime(amplitude / 1000, end);
+    source.connect(gain).connect(this.#context.destination);
+    source.start();
+    if (end > now) source.stop(end);
+    this.#tone = { source, gain };
+  }
+
+  /** Fades it out, so that it does not click. */
+  endTone() {
+    if (!this.#tone) return;
+    const { source, gain } = this.#tone;
+    const now = this.#context.currentTime;
+    this.#tone = null;
+    gain.gain.cancelScheduledValues(now).setTargetAtTime(0, now, FADE);
+    source.stop(now + 8 * FADE);
   }
 
   record(on) {

@@ -5,7 +5,8 @@ const LOWEST = 50; // [Hz]
 const HIGHEST = 20000; // [Hz]
 const FLOOR = -130; // [dB]
 const CEILING = -10; // [dB]
-const MARKS = [100, 1000, 10000]; // [Hz]
+const MARKS = [[100, "100 Hz"], [1000, "1 kHz"], [10000, "10 kHz"]];
+const LETTERS = 11; // height [px]
 
 export class SpectrumView {
   #canvas;
@@ -27,8 +28,7 @@ export class SpectrumView {
     canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
     const context = canvas.getContext("2d");
     const style = getComputedStyle(canvas);
-    context.strokeStyle = context.fillStyle = style.getPropertyValue("--line");
-    this.#drawMarks(context);
+    this.#drawMarks(context, style);
     context.strokeStyle = style.getPropertyValue("--accent");
     this.#drawCurve(context, analyser.context.sampleRate / analyser.fftSize);
   }
@@ -42,8 +42,15 @@ export class SpectrumView {
     return this.#canvas.height * (1 - Math.min(Math.max(share, 0), 1));
   }
 
-  #drawMarks(context) {
-    for (const frequency of MARKS) context.fillRect(this.#x(frequency), 0, 1, this.#canvas.height);
+  #drawMarks(context, style) {
+    const height = LETTERS * devicePixelRatio;
+    context.font = `${height}px system-ui, sans-serif`;
+    for (const [frequency, text] of MARKS) {
+      context.fillStyle = style.getPropertyValue("--line");
+      context.fillRect(this.#x(frequency), 0, 1, this.#canvas.height);
+      context.fillStyle = style.getPropertyValue("--quiet");
+      context.fillText(text, this.#x(frequency) + height / 3, height);
+    }
   }
 
   #drawCurve(context, step) {

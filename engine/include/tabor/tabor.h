@@ -928,6 +928,15 @@ TABOR_API const TaborDrumDef *tabor_model_definition(const TaborModel *model);
 TABOR_API void tabor_model_info(const TaborModel *model, TaborModelInfo *info);
 /** Fills in mode @p row, from 0 in order of frequency; false past the last. */
 TABOR_API bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *mode);
+/**
+ * The shape of mode @p row on a surface, 0 (batter head, upper plate) or 1, at the distance
+ * @p radius from the centre [m]: the displacement there is *shape times the mode's amplitude times
+ * cos(m angle), or sin(m angle) of its copy. Modal masses are 1 kg, so a unit is kg^-1/2. A circle
+ * where it is 0 is a node. False without such a row or surface, beyond the edge, or of a drum whose
+ * lugs have tensions of their own, whose modes have no single m; *shape is then 0.
+ */
+TABOR_API bool tabor_model_mode_shape(const TaborModel *model, uint32_t row, uint32_t surface,
+                                      double radius, double *shape);
 /** @} */
 
 /* ------------------------------------------------------------------------------------------------

@@ -1,5 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 /* Queries about a model and about the drums made from it. */
+#include <math.h>
+
+#include "math/bessel.h"
 #include "state/state.h"
 
 static uint32_t row_count(const TaborModel *model) {
@@ -28,5 +31,21 @@ void tabor_model_info(const TaborModel *model, TaborModelInfo *info) {
 bool tabor_model_mode(const TaborModel *model, uint32_t row, TaborModeInfo *info) {
   if (row >= row_count(model)) return false;
   *info = model->lugs.count ? model->lugs.rows[row] : tb_body_mode_info(&model->body.modes[row]);
+  return true;
+}
+
+bool tabor_model_mode_shape(const TaborModel *model, uint32_t row, uint32_t surface, double radius,
+                            double *shape) {
+  const TbBody *body = &model->body;
+  *shape = 0.0;
+  if (model->lugs.count > 0 || row >= body->row_count || surface >= body->surfaces) return false;
+  if (!(radius >= 0.0 && radius <= body->radius)) return false;
+  const TbBodyMode *mode = &body->modes[row];
+  const TbBodyOrder *order = &body->orders[mode->m];
+  const double *v = order->vectors[surface] + (size_t)mode->place * order->zero_count;
+  const double part = radius / body->radius, *edge = order->edge[surface];
+  for (uint32_t i = 0; i < order->zero_count; i++)
+    *shape += v[i] * tb_bessel_j(mode->m, order->zeros[i] * part);
+  if (edge) *shape += edge[mode->place] * pow(part, mode->m);
   return true;
 }

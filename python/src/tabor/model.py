@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, NamedTuple, Optional, Tuple, Union
+from typing import Any, Callable, Dict, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -177,6 +177,20 @@ class Model:
             modes[i] = (row.m, row.n, row.frequency, row.decay_rate, row.radiation_rate, row.multiplicity,
                         _PARTS[row.part], row.phase)
         return modes
+
+    def mode_shape(self, row: int, radii: Union[float, Sequence[float], NDArray[np.floating]],
+                   surface: int = 0) -> NDArray[np.float64]:
+        """The shape of one of `modes` at distances from the centre [m], as `radii` in shape, for a modal mass of 1 kg: times
+        its amplitude and cos(m angle) it is the displacement. `surface` is 0 (batter head, upper plate) or 1.
+        Raises ValueError where there is no such row, surface or place, and of a drum whose lugs have tensions of their own."""
+        places = np.asarray(radii, np.float64)
+        shape = ffi.new("double *")
+        values = np.empty(places.shape)
+        for index, radius in np.ndenumerate(places):
+            if not lib.tabor_model_mode_shape(self._c, row, surface, radius, shape):
+                raise ValueError(f"mode {row} has no shape at {radius:g} m on surface {surface}")
+            values[index] = shape[0]
+        return values
 
 
 #: What can be played: a preset's name, a definition, or a model.

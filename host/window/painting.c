@@ -4,13 +4,13 @@
 #include <math.h>
 #include <stddef.h>
 
-static const Box BUTTONS[BUTTON_COUNT] = {[BUTTON_BEFORE] = {420, 20, 28, 28},
-                                          [BUTTON_NEXT] = {668, 20, 28, 28},
-                                          [BUTTON_COMPARE] = {420, 396, 66, 26},
-                                          [BUTTON_UNDO] = {492, 396, 54, 26},
-                                          [BUTTON_PAGE] = {552, 396, 72, 26}};
+static const Box BUTTONS[BUTTON_COUNT] = {
+  [BUTTON_BEFORE] = {420, 20, 28, 28},   [BUTTON_NEXT] = {668, 20, 28, 28},
+  [BUTTON_COMPARE] = {420, 396, 66, 26}, [BUTTON_UNDO] = {492, 396, 54, 26},
+  [BUTTON_PAGE] = {552, 396, 72, 26},    [BUTTON_SOUNDS] = {450, 20, 216, 28}};
 static const double TITLE_SIZE = 16, TITLE_GAP = 8;
-static const double TITLE[2] = {558, 40};
+static const double TITLE[2] = {550, 40}; /* its middle */
+static const double MARK[2] = {650, 31}, MARK_SIZE = 9;
 static const Box METER = {632, 396, 64, 10};
 static const double METER_STEP = 16;
 static const double LOWEST_LEVEL = -60; /* [dB] of a meter */
@@ -100,8 +100,7 @@ static void paint_meter(cairo_t *cairo, uint32_t side, double peak) {
 
 /* Smaller where it would reach the buttons beside it. */
 static void paint_title(cairo_t *cairo, const char *title) {
-  const double room = BUTTONS[BUTTON_NEXT].x - BUTTONS[BUTTON_BEFORE].x -
-                      BUTTONS[BUTTON_BEFORE].width - 2 * TITLE_GAP;
+  const double room = 2 * (TITLE[0] - BUTTONS[BUTTON_SOUNDS].x - TITLE_GAP);
   cairo_text_extents_t size;
   cairo_set_font_size(cairo, TITLE_SIZE);
   cairo_text_extents(cairo, title, &size);
@@ -110,12 +109,23 @@ static void paint_title(cairo_t *cairo, const char *title) {
   paint_text(cairo, TITLE[0], TITLE[1], AT_MIDDLE, title);
 }
 
+/* A triangle: a list opens there. */
+static void paint_mark(cairo_t *cairo) {
+  pale(cairo);
+  cairo_move_to(cairo, MARK[0], MARK[1]);
+  cairo_rel_line_to(cairo, MARK_SIZE, 0);
+  cairo_rel_line_to(cairo, -0.5 * MARK_SIZE, 0.7 * MARK_SIZE);
+  cairo_fill(cairo);
+}
+
 void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
                  const double peaks[2]) {
   paint_button(cairo, BUTTON_BEFORE, "<", true);
   paint_button(cairo, BUTTON_NEXT, ">", true);
+  paint_button(cairo, BUTTON_SOUNDS, "", true);
   paint_button(cairo, BUTTON_COMPARE, is_second ? "A / [B]" : "[A] / B", true);
   paint_button(cairo, BUTTON_UNDO, "Undo", can_undo);
   for (uint32_t side = 0; side < 2; side++) paint_meter(cairo, side, peaks[side]);
   paint_title(cairo, title);
+  paint_mark(cairo);
 }

@@ -28,6 +28,7 @@ typedef enum Button {
   BUTTON_COMPARE,
   BUTTON_UNDO,
   BUTTON_PAGE,
+  BUTTON_SOUNDS, /**< the title: the list of sounds */
   BUTTON_COUNT
 } Button;
 

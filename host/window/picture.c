@@ -20,7 +20,10 @@ WindowPlace picture_place(const WindowScene *scene, double scale, double x, doub
   WindowPlace place = {.part = WINDOW_NOTHING, .button = button_at(at, down)};
   if (place.button != BUTTON_COUNT) {
     place.part = WINDOW_BUTTON;
-  } else if (box_has(&(Box){LEFT, TOP, WIDE, KNOB_PAGE * ROW}, at, down)) {
+  } else if (scene->sounds && sound_list_has(at, down)) {
+    place.part = WINDOW_SOUNDS;
+    place.sound = sound_list_at(scene->sounds, at, down);
+  } else if (!scene->sounds && box_has(&(Box){LEFT, TOP, WIDE, KNOB_PAGE * ROW}, at, down)) {
     place.number = (uint32_t)((down - TOP) / ROW);
     if (place.number < scene->control_count) place.part = WINDOW_CONTROL;
   } else if (scene->is_kit) {
@@ -61,7 +64,11 @@ void picture_draw(const WindowScene *scene, cairo_t *cairo, double scale) {
     drum_picture_draw(scene, cairo);
   }
   say(cairo, scene);
-  for (uint32_t i = 0; i < scene->control_count; i++) draw_control(cairo, i, &scene->controls[i]);
+  if (scene->sounds) {
+    sound_list_draw(scene->sounds, cairo, scene->title);
+  } else {
+    for (uint32_t i = 0; i < scene->control_count; i++) draw_control(cairo, i, &scene->controls[i]);
+  }
   paint_button(cairo, BUTTON_PAGE, scene->page, true);
   paint_frame(cairo, scene->title, scene->is_second, scene->can_undo, scene->meters);
 }

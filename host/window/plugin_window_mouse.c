@@ -110,24 +110,50 @@ static void raise_mic(PluginWindow *window, uint32_t number, int steps) {
 
 /* A built-in kit is a value of its knob, so that the host can record it. Levels and tunings stay
  * with the numbers of drums, as in the host's own list. */
-static void step_preset(PluginWindow *window, int steps) {
+static void choose(PluginWindow *window, const PresetPlace *place) {
   const PluginWindowShell *const shell = &window->shell;
-  const InstrumentKind *const kind = shell->instrument->kind;
-  plugin_window_note_looks(window);
-  const PresetPlace place = preset_steps_take(&window->steps, kind, window->scene.title, steps);
-  if (window->scene.is_kit && !place.is_file) {
-    begin(window, kind->main_knob);
-    shell->turn(shell->shell, kind->main_knob, (double)place.number);
-    end(window, kind->main_knob);
+  const uint32_t knob = shell->instrument->kind->main_knob;
+  if (window->scene.is_kit && !place->is_file) {
+    begin(window, knob);
+    shell->turn(shell->shell, knob, (double)place->number);
+    end(window, knob);
   } else {
     history_keep(&window->history);
-    shell->choose(shell->shell, place.name, place.is_file);
+    shell->choose(shell->shell, place->name, place->is_file);
   }
   plugin_window_note_looks(window);
   preset_steps_note(&window->steps, window->scene.title);
 }
 
+static void step_preset(PluginWindow *window, int steps) {
+  plugin_window_note_looks(window);
+  const PresetPlace place =
+    preset_steps_take(&window->steps, window->shell.instrument->kind, window->scene.title, steps);
+  choose(window, &place);
+}
+
+/* The list stays open, so that one sound after the other can be tried. */
+static void choose_sound(PluginWindow *window, const SoundLine *sound) {
+  const PresetPlace place = sound->place;
+  preset_steps_choose(&window->steps, place.is_file ? sound->name : "");
+  choose(window, &place);
+}
+
+static void open_or_close_sounds(PluginWindow *window) {
+  WindowScene *const scene = &window->scene;
+  if (!scene->sounds) {
+    plugin_window_note_looks(window);
+    sound_list_fill(&window->sounds, window->shell.instrument->kind, scene->title);
+  }
+  scene->sounds = scene->sounds ? NULL : &window->sounds;
+}
+
+/* Where the list of sounds is open, the page that it hides comes back first. */
 static void turn_page(PluginWindow *window) {
+  if (window->scene.sounds) {
+    window->scene.sounds = NULL;
+    return;
+  }
   window->page++;
   if (!plugin_window_page(window)) window->page = 0;
 }
@@ -139,6 +165,7 @@ static void push_button(PluginWindow *window, Button button) {
   case BUTTON_COMPARE: history_compare(&window->history); break;
   case BUTTON_UNDO: history_undo(&window->history); break;
   case BUTTON_PAGE: turn_page(window); break;
+  case BUTTON_SOUNDS: open_or_close_sounds(window); break;
   case BUTTON_COUNT: break;
   }
 }
@@ -169,6 +196,9 @@ void plugin_window_press(void *context, double x, double y) {
   case WINDOW_MIC: take_mic(window, place.number); break;
   case WINDOW_BUTTON: push_button(window, place.button); break;
   case WINDOW_CONTROL: take_control(window, place.number, x); break;
+  case WINDOW_SOUNDS:
+    if (place.sound) choose_sound(window, place.sound);
+    break;
   case WINDOW_NOTHING: break;
   }
 }
@@ -199,6 +229,7 @@ void plugin_window_scroll(void *context, double x, double y, int steps) {
   case WINDOW_DRUM: change_speed(window, steps); break;
   case WINDOW_MIC: raise_mic(window, place.number, steps); break;
   case WINDOW_CONTROL: turn(window, place.number, steps); break;
+  case WINDOW_SOUNDS: sound_list_scroll(&window->sounds, steps); break;
   default: break;
   }
 }

@@ -17,7 +17,8 @@ struct PluginWindow {
   X11Window *outside; /* NULL while it is closed */
   History history;    /* of InstrumentSetting */
   PresetSteps steps;
-  uint32_t page; /* of controls */
+  SoundList sounds; /* while scene.sounds leads to it */
+  uint32_t page;    /* of controls */
   WindowScene scene;
   bool is_idle[INSTRUMENT_KNOBS]; /* knobs of parts that the drum lacks */
 

@@ -9,6 +9,7 @@
 
 #include "plugin/knob.h"
 #include "window/painting.h"
+#include "window/sound_list.h"
 
 #include <tabor/kit.h>
 
@@ -38,7 +39,8 @@ typedef struct WindowScene {
   char title[TABOR_NAME_SIZE]; /**< name of the drum or kit */
   bool is_second;              /**< of two settings to compare the second plays */
   bool can_undo;
-  char page[WINDOW_TEXT]; /**< name of the page of controls */
+  const SoundList *sounds; /**< the list of sounds, in place of the controls; NULL: it is closed */
+  char page[WINDOW_TEXT];  /**< name of the page of controls */
   uint32_t control_count;
   WindowControl controls[KNOB_PAGE];
   double meters[2];             /**< of each side, 1: full scale */
@@ -64,6 +66,7 @@ typedef enum WindowPart {
   WINDOW_DRUM,
   WINDOW_MIC,
   WINDOW_BUTTON,
+  WINDOW_SOUNDS,
   WINDOW_CONTROL
 } WindowPart;
 
@@ -71,7 +74,8 @@ typedef enum WindowPart {
 typedef struct WindowPlace {
   WindowPart part;
   Button button;
-  uint32_t number; /**< of the drum, the microphone, or the control */
+  uint32_t number;        /**< of the drum, the microphone, or the control */
+  const SoundLine *sound; /**< in the list; NULL: none */
   double radius,
     angle; /**< on a drum: a part of the head's, or negative where no head is seen; [deg] */
 } WindowPlace;

@@ -255,6 +255,46 @@ static void drums_of_the_user_follow(void **state) {
   close_host(&opened);
 }
 
+/* A click on the title opens the list at the drum that plays; a click on a line chooses that drum,
+ * and the page button brings the controls back. */
+static void a_drum_is_chosen_from_the_list(void **state) {
+  (void)state;
+  enum { TITLE_X = 550, TITLE_Y = 34, LIST_X = 500, LIST_Y = 60, LINE = 36, LINES = 9 };
+  Opened opened = open_host(ID_DRUM, 1);
+  ClapHost *const host = opened.host;
+  const double usual = clap_host_value(host, KNOB_DRUM);
+  click(&opened, TITLE_X, TITLE_Y);
+  tick(&opened);
+  keep_picture(opened.outer, "sounds");
+  double chosen = usual;
+  for (int line = 0; line < LINES && chosen == usual; line++) {
+    click(&opened, LIST_X, LIST_Y + LINE * line + LINE / 2);
+    clap_host_run(host, FRAMES);
+    chosen = clap_host_value(host, KNOB_DRUM);
+  }
+  print_message("drum %g before, %g chosen\n", usual, chosen);
+  assert_true(chosen != usual);
+  const double strainer = clap_host_value(host, KNOB_STRAINER);
+  click(&opened, CONTROL_X + CONTROL_WIDTH / 2, LIST_Y + LINE / 4); /* no control lies there now */
+  assert_true(clap_host_value(host, KNOB_STRAINER) == strainer);
+  for (int i = 0; i < 100; i++) /* to the end of the list, where the user's own are */
+    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, LIST_X, LIST_Y + LINE);
+  tick(&opened);
+  keep_picture(opened.outer, "own");
+  click(&opened, LIST_X, LIST_Y + LINE * (LINES - 1) + LINE / 2);
+  clap_host_run(host, FRAMES);
+  static ClapState saved;
+  clap_host_save(host, &saved);
+  saved.bytes[saved.size] = '\0';
+  assert_non_null(strstr(saved.bytes, "name = mine"));
+  click(&opened, PAGE_X, BUTTON_Y);
+  tick(&opened);
+  keep_picture(opened.outer, "controls");
+  click(&opened, CONTROL_X, GAIN_Y);
+  assert_true(clap_host_value(host, KNOB_GAIN) == -60);
+  close_host(&opened);
+}
+
 static void two_drums_are_compared(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
@@ -415,6 +455,8 @@ static int run(void) {
     cmocka_unit_test(every_microphone_has_a_level),
     cmocka_unit_test(a_microphone_that_the_drum_lacks_has_none),
     cmocka_unit_test_setup_teardown(drums_of_the_user_follow, user_files_make, user_files_remove),
+    cmocka_unit_test_setup_teardown(a_drum_is_chosen_from_the_list, user_files_make,
+                                    user_files_remove),
     cmocka_unit_test(two_drums_are_compared),
     cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),

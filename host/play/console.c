@@ -204,6 +204,13 @@ static void name_channels(const PlayRequest *request, const TaborDrumDef *def,
   }
 }
 
+static void take_tuning(const TaborDrumDef *def, ScreenTuning *tuning) {
+  const bool has_heads = def->body.kind == TABOR_BODY_DRUM;
+  tuning->heads[0] = has_heads ? def->batter.tension : 0;
+  tuning->heads[1] = has_heads && def->two_headed ? def->resonant.tension : 0;
+  tuning->wires = def->wires.tension;
+}
+
 static void take_drum(Console *console) {
   const PlayRequest *const request = console->session->request;
   ScreenState *const screen = &console->screen;
@@ -219,6 +226,7 @@ static void take_drum(Console *console) {
   screen->has_snares = def.wires.count > 0;
   screen->snares_on = def.wires.strainer > 0;
   screen->is_muffled = def.batter.muffle_strength > 0;
+  take_tuning(&def, &screen->tuning);
 }
 
 static void take_meters(ScreenState *screen, double seconds) {

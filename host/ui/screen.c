@@ -142,7 +142,9 @@ static void draw_health(const ScreenState *state, Canvas *canvas, int row) {
   if (play->recovered > 0)
     column = draw_count(canvas, row, column, "resets", play->recovered, true);
   if (play->lost_frames > 0)
-    draw_count(canvas, row, column, "lost frames", play->lost_frames, true);
+    column = draw_count(canvas, row, column, "lost frames", play->lost_frames, true);
+  if (play->ignored_notes > 0)
+    draw_count(canvas, row, column, "notes that play nothing", play->ignored_notes, true);
 }
 
 static void draw_drum(const ScreenState *state, Canvas *canvas, int row) {
@@ -154,12 +156,20 @@ static void draw_drum(const ScreenState *state, Canvas *canvas, int row) {
   draw_count(canvas, row, column, "strikers", play->strikers, false);
 }
 
-static void draw_newton(const ScreenState *state, Canvas *canvas, int row) {
-  const PlayStatus *const play = &state->play;
-  draw_label(canvas, row, "Newton");
-  int column = canvas_print(canvas, row, LABEL, STYLE_PLAIN, "mean %.2f", play->newton_mean);
-  column = draw_count(canvas, row, column + 3, "most", play->newton_max, false);
-  draw_count(canvas, row, column, "capped", play->newton_capped, false);
+/* A plate has no tension. */
+static void draw_tuning(const ScreenState *state, Canvas *canvas, int row) {
+  const ScreenTuning *const tuning = &state->tuning;
+  draw_label(canvas, row, "tuning");
+  if (tuning->heads[0] == 0) {
+    canvas_text(canvas, row, LABEL, STYLE_FAINT, "a plate: none");
+    return;
+  }
+  int column = canvas_print(canvas, row, LABEL, STYLE_PLAIN, "batter %.0f N/m", tuning->heads[0]);
+  if (tuning->heads[1] > 0)
+    column =
+      canvas_print(canvas, row, column + 3, STYLE_PLAIN, "resonant %.0f N/m", tuning->heads[1]);
+  if (state->has_snares)
+    canvas_print(canvas, row, column + 3, STYLE_PLAIN, "wires %.3g N", tuning->wires);
 }
 
 const char *screen_event(const TaborEvent *event, double head_radius, char *text, size_t size) {
@@ -328,7 +338,7 @@ static const struct {
   int importance;
 } rows[] = {
   {NULL, 1},        {draw_load, 7}, {draw_health, 6}, {NULL, 2},          {draw_drum, 5},
-  {draw_newton, 3}, {draw_last, 8}, {NULL, 2},        {draw_settings, 9}, {draw_device, 4},
+  {draw_tuning, 3}, {draw_last, 8}, {NULL, 2},        {draw_settings, 9}, {draw_device, 4},
 };
 #define ROWS ((int)(sizeof rows / sizeof rows[0]))
 

@@ -19,6 +19,12 @@
 
 #define SCREEN_MESSAGE_SIZE 512 /**< bytes, with the terminator */
 
+/** What a drum is tuned to. */
+typedef struct ScreenTuning {
+  double heads[2]; /**< tensions [N/m]; 0 of a plate, and of a head that is not there */
+  double wires;    /**< tension [N] */
+} ScreenTuning;
+
 typedef struct ScreenState {
   PlayStatus play;
   const char *quality;                        /**< "live" */
@@ -30,6 +36,7 @@ typedef struct ScreenState {
   double speed;                       /**< of the next stroke [m/s] */
   double humanize;                    /**< 0 to 1 */
   bool has_snares, snares_on, is_muffled;
+  ScreenTuning tuning;
   char message[SCREEN_MESSAGE_SIZE]; /**< "" for none */
   bool is_trouble;                   /**< the message is an error or warning */
   const LineEditor *line;            /**< the command line, or NULL while it is closed */

@@ -32,7 +32,7 @@ async function strike(page) {
   await page.goto("about:blank");
   await page.goto(`${address}#drum=${preset}`);
   await page.locator("#status", { hasText: "Ready" }).waitFor();
-  await page.getByRole("heading").click(); // a gesture without a stroke: the sound starts
+  await page.getByRole("heading", { level: 1 }).click(); // a gesture without a stroke: the sound starts
   await page.getByRole("button", { name: "Record", disabled: false }).waitFor();
   await page.waitForTimeout(1000);
   const box = await page.locator("#drum").boundingBox();

@@ -33,9 +33,7 @@ static int begin(void **state) {
        .xruns = 3,
        .strikers = 1,
        .strokes = 77,
-       .newton_mean = 3.125,
-       .newton_max = 9,
-       .newton_capped = 2,
+       .ignored_notes = 4,
        .last_event = {.type = TABOR_EVENT_STRIKE, .velocity = 2.5, .radius = 0.0889, .angle = 30},
        .last_time = 12.345},
     .quality = "live",
@@ -47,6 +45,7 @@ static int begin(void **state) {
     .humanize = 0.3,
     .has_snares = true,
     .snares_on = true,
+    .tuning = {.heads = {5230.4, 4100}, .wires = 12.5},
   };
   return 0;
 }
@@ -91,7 +90,11 @@ static void everything_is_shown_at_80_by_24(void **state) {
   expect("xruns 3");
   expect("strokes 77");
   expect("strikers 1");
-  expect("mean 3.12   most 9   capped 2");
+  expect("batter 5230 N/m   resonant 4100 N/m   wires 12.5 N");
+  expect("notes that play nothing 4");
+  shown.tuning = (ScreenTuning){.wires = 0};
+  draw(80, 24);
+  expect("a plate: none");
   expect("stroke at 50 % of the radius, 30 degrees, 2.50 m/s, at 12.3");
   expect("2.83 m/s   gain +6.0 dB   snares on   muffle off   humanize 0.3");
   expect("? help");
@@ -193,7 +196,7 @@ static void low_terminals_keep_what_matters(void **state) {
   expect("stroke at");
   expect("2.83 m/s");
   expect("? help");
-  assert_int_equal(find("Newton"), -1);
+  assert_int_equal(find("tuning"), -1);
   strcpy(shown.message, "hello");
   draw(80, 3);
   expect("hello");

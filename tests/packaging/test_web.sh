@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# The page of tools/web in headless Chromium: strokes by mouse, touch, keys and MIDI files on drums as they come and with every
+# The page of tools/web in headless Chromium and Firefox: strokes by mouse, touch, keys and MIDI files on drums as they come and with every
 # control moved, recorded there, have the same bits as the command that the page shows makes; no error, no request to anybody else, nothing that axe objects to, at most 335 KB compressed.
 # PICTURES=FOLDER keeps pictures of the page. PLAY_SECONDS=60 also plays for so long, and prints how many gaps the sound had.
 # shellcheck source=tests/support/embed_checks.sh
@@ -15,7 +15,13 @@ export CHROMIUM
 for tool in emcc node "$CHROMIUM"; do
   command -v "$tool" >/dev/null || skip "there is no ${tool:-chromium}: tools/setup --web brings it"
 done
-[ -e "$web_tools/node_modules/playwright-core" ] || skip "there is no playwright-core: tools/setup --web brings it"
+FIREFOX=${FIREFOX-$(command -v firefox-esr || command -v firefox || true)}
+for tool in "$FIREFOX" pulseaudio; do
+  command -v "$tool" >/dev/null || skip "there is no ${tool:-firefox}: tools/setup --web brings it"
+done
+for package in playwright-core puppeteer-core; do
+  [ -e "$web_tools/node_modules/$package" ] || skip "there is no $package: tools/setup --web brings it"
+done
 
 quietly "$SOURCE/tools/web" --build
 bytes=$(tar -C "$SOURCE/build/web/page" -cf - . | gzip -9 | wc -c)
@@ -38,6 +44,20 @@ done
 
 node "$SOURCE/tests/support/strike_web_page.mjs" "$address" "$web_tools" takes ${PLAY_SECONDS:+"$PLAY_SECONDS"} >log || { cat log; complain "the page"; }
 grep '^#' log
+
+# Firefox plays nothing without a sound server: one that nobody hears.
+strike_in_firefox() {
+  local server status=0
+  mkdir -m 700 firefox-home
+  export HOME=$PWD/firefox-home XDG_RUNTIME_DIR=$PWD/firefox-home
+  pulseaudio -n --daemonize=no --exit-idle-time=-1 -L "module-null-sink rate=48000" -L module-native-protocol-unix >pulse-log 2>&1 &
+  server=$!
+  node "$SOURCE/tests/support/strike_in_firefox.mjs" "$address" "$web_tools" takes "$FIREFOX" || status=1
+  kill $server
+  wait $server || true
+  return $status
+}
+(strike_in_firefox) >>log || { cat log; complain "the page in Firefox"; }
 if [ -n "${PICTURES-}" ]; then cp takes/*.png "$PICTURES"; fi
 
 count=0
@@ -54,4 +74,4 @@ while read -r name seconds command; do
   "$INSPECT" equal "takes/$name.wav" again.wav || complain "$command: the page has other bits"
   count=$((count + 1))
 done < <(grep '^take' log)
-[ $count -eq 9 ] || complain "$count recordings"
+[ $count -eq 10 ] || complain "$count recordings"

@@ -60,7 +60,7 @@ static const Option no_options[] = {{0}};
 
 static const Command top_command = {
   .name = "COMMAND",
-  .summary = "Tabor, a snare drum computed from physics",
+  .summary = "Tabor, drums and cymbals computed from physics",
   .options = no_options,
   .run = run_top,
 };

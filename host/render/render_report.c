@@ -166,7 +166,7 @@ static void note_summary(const OfflinePlayer *player) {
        first == last ? "" : " ... ", first == last ? "" : last->name, request->kit ? "kit " : "",
        request->preset, seconds(player), (unsigned)request->audio.rate, (unsigned)channels,
        channels == 1 ? "" : "s", peak);
-  if (request->kit) note("computed in %.2f of real time", real_time_factor(player));
+  if (request->kit) note("took %.2f times as long as it lasts", real_time_factor(player));
 }
 
 static void warn_of_silence(const OfflinePlayer *player) {

@@ -83,7 +83,7 @@ can_draw() { python3 -c 'import numpy, matplotlib' 2>/dev/null; }
 
 check_program_in_folder() {
   local inline
-  inline=$(grep -o '`PATH=[^`]*`' README.md | tr -d '`')
+  inline=$(grep -o '`export PATH=[^`]*`' README.md | tr -d '`')
   (eval "$inline" && [ "$(command -v tabor)" = "$PWD/build/release/tabor" ]) || complain "'$inline' does not find tabor"
 }
 

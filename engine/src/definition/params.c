@@ -539,7 +539,8 @@ const TbParam tb_params[] = {
        "factor on what the room adds, 1: as in a diffuse field", NUMBER(0, 10, 1)),
    AT(room.level)},
 
-  {ROW(TB_PARAM_QUALITY_LEVEL, "quality", "level", "", "accuracy against cost",
+  {ROW(TB_PARAM_QUALITY_LEVEL, "quality", "level", "",
+       "accuracy against cost, of the library; tabor takes --quality",
        CHOICE("draft|live|studio|reference", TABOR_QUALITY_STUDIO - TABOR_QUALITY_DRAFT)),
    AT(quality.level), .base = TABOR_QUALITY_DRAFT},
   {ROW(TB_PARAM_QUALITY_TWO_WAY_BANDWIDTH, "quality", "two_way_bandwidth", "Hz",

@@ -28,7 +28,7 @@ double painting_scale(uint32_t width, uint32_t height) {
 void paper(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.13, 0.14, 0.16); }
 void field(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.22, 0.24, 0.27); }
 void ink(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.90, 0.91, 0.92); }
-void pale(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.62, 0.65, 0.68); }
+void pale(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.66, 0.69, 0.72); }
 void accent(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.95, 0.62, 0.20); }
 
 void paint_paper(cairo_t *cairo, double scale) {

@@ -5,7 +5,8 @@
  * wait for nothing while it is open, and that nothing stays of a window that is closed.
  *
  * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder
- * for pictures of it.
+ * for pictures of it. PLAY_SECONDS=60 plays for so long with the window open and for so long without one,
+ * in turns, and prints the processor time of blocks of both.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "clap_window.h"
@@ -391,6 +392,54 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   close_host(&opened);
 }
 
+enum { TURN = 300, BLOCK = 256, ROOM = 200000 }; /* blocks of a turn; frames; blocks at most */
+
+static double processor_time(void) {
+  struct timespec time;
+  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static int compare_times(const void *a, const void *b) {
+  const double one = *(const double *)a, other = *(const double *)b;
+  return (one > other) - (one < other);
+}
+
+/* A stroke every quarter of a second, and a look of the window 30 times a second. */
+static uint32_t play_turn(const Opened *opened, bool has_window, double *times, uint32_t count) {
+  for (int i = 0; i < TURN && count < ROOM; i++) {
+    if (i % 47 == 0) clap_host_midi(opened->host, 0, &(MidiMessage){0x99, {38, 100}});
+    if (has_window && i % 6 == 0) tick(opened);
+    const double before = processor_time();
+    clap_host_run(opened->host, BLOCK);
+    times[count++] = processor_time() - before;
+  }
+  return count;
+}
+
+static void what_blocks_cost_is_printed(void **state) {
+  (void)state;
+  static double times[2][ROOM];
+  uint32_t counts[2] = {0};
+  const char *const seconds = getenv("PLAY_SECONDS");
+  if (!seconds) return;
+  ClapHost *const host = clap_host_open(&clap_entry, ID_DRUM);
+  clap_host_activate(host);
+  Opened opened = {.host = host};
+  const double turns = strtod(seconds, NULL) * 48000 / (TURN * BLOCK);
+  for (int turn = 0; turn < turns; turn++) {
+    counts[0] = play_turn(&opened, false, times[0], counts[0]);
+    open_window(&opened, 1);
+    counts[1] = play_turn(&opened, true, times[1], counts[1]);
+    close_window(&opened);
+  }
+  for (int i = 0; i < 2; i++) qsort(times[i], counts[i], sizeof **times, compare_times);
+  const double without = times[0][counts[0] / 2], with = times[1][counts[1] / 2];
+  print_message("median block of %u: %.1f us, with the window %.1f us, %.3f times\n", counts[0],
+                1e6 * without, 1e6 * with, with / without);
+  clap_host_close(host);
+}
+
 /* ---- sizes and ends ------------------------------------------------------------------------- */
 
 static void it_has_any_size(void **state) {
@@ -460,6 +509,7 @@ static int run(void) {
     cmocka_unit_test(two_drums_are_compared),
     cmocka_unit_test(microphones_are_dragged_and_raised),
     cmocka_unit_test(blocks_wait_for_nothing_while_it_is_open),
+    cmocka_unit_test(what_blocks_cost_is_printed),
     cmocka_unit_test(it_has_any_size),
     cmocka_unit_test(a_host_that_scans_is_told_of_it),
     cmocka_unit_test(nothing_stays_of_a_window),

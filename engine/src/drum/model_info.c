@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Queries about a model and about the drums made from it. */
-#include <math.h>
-
 #include "math/bessel.h"
 #include "state/state.h"
 
@@ -43,9 +41,11 @@ bool tabor_model_mode_shape(const TaborModel *model, uint32_t row, uint32_t surf
   const TbBodyMode *mode = &body->modes[row];
   const TbBodyOrder *order = &body->orders[mode->m];
   const double *v = order->vectors[surface] + (size_t)mode->place * order->zero_count;
-  const double part = radius / body->radius, *edge = order->edge[surface];
+  const double part = radius / body->radius;
+  double edge = order->edge[surface] ? order->edge[surface][mode->place] : 0.0;
   for (uint32_t i = 0; i < order->zero_count; i++)
     *shape += v[i] * tb_bessel_j(mode->m, order->zeros[i] * part);
-  if (edge) *shape += edge[mode->place] * pow(part, mode->m);
+  for (uint32_t i = 0; i < mode->m; i++) edge *= part;
+  *shape += edge;
   return true;
 }

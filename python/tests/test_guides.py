@@ -11,7 +11,7 @@ import tabor
 import tabor.model
 
 TOP = Path(__file__).resolve().parents[2]
-GUIDES = [TOP / name for name in ("README.md", "docs/python.md", "python/README.md")]
+GUIDES = [TOP / name for name in ("docs/python.md", "python/README.md")]
 SAID = re.compile(r"^(\w.*?) +# (\([\d, ]+\)|\d+)(:|$)")  # a line such as `sound.shape   # (1, 48000): what they are`
 
 

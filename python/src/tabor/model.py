@@ -180,9 +180,27 @@ class Model:
 
     def mode_shape(self, row: int, radii: Union[float, Sequence[float], NDArray[np.floating]],
                    surface: int = 0) -> NDArray[np.float64]:
-        """The shape of one of `modes` at distances from the centre [m], as `radii` in shape, for a modal mass of 1 kg: times
-        its amplitude and cos(m angle) it is the displacement. `surface` is 0 (batter head, upper plate) or 1.
-        Raises ValueError where there is no such row, surface or place, and of a drum whose lugs have tensions of their own."""
+        """The shape of a mode along a radius, for a modal mass of 1 kg. Where it is 0, a node lies.
+
+        Parameters
+        ----------
+        row : int
+            One of `modes`.
+        radii : float or array of float
+            Distances from the centre [m].
+        surface : int
+            0: the batter head, or the upper plate; 1: the other one.
+
+        Returns
+        -------
+        numpy.ndarray
+            The shape of `radii`, in kg^-1/2: times the mode's amplitude and cos(m angle) it is the displacement.
+
+        Raises
+        ------
+        ValueError
+            There is no such row, surface or place; or the drum's lugs have tensions of their own.
+        """
         places = np.asarray(radii, np.float64)
         shape = ffi.new("double *")
         values = np.empty(places.shape)

@@ -60,14 +60,13 @@ void web_take_picture(WebInstrument *web, float *to) {
 }
 
 /* A mode by its number, in order of frequency: frequency [Hz], time for 60 dB [s], nodal diameters,
- * 1 with a sine copy beside it, a TaborModePart, phase; 0 past the last. */
+ * a TaborModePart, phase; 0 past the last. */
 EXPORT("mode_value")
 double web_mode_value(const WebInstrument *web, uint32_t drum, uint32_t mode, uint32_t index) {
   TaborModeInfo info;
   if (!tabor_model_mode(web->models[drum], mode, &info)) return 0;
-  const double values[] = {info.frequency, log(1000) / info.decay_rate,
-                           info.m,         info.multiplicity - 1,
-                           info.part,      info.phase};
+  const double values[] = {info.frequency, log(1000) / info.decay_rate, info.m, info.part,
+                           info.phase};
   return index < sizeof values / sizeof *values ? values[index] : 0;
 }
 

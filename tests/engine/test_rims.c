@@ -8,22 +8,14 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Flat and stiff, on soft mounts, in a vacuum without gravity. */
+/* On soft mounts, in a vacuum. */
 static TaborDrumDef stiff_def(void) {
-  TaborDrumDef def;
-  tabor_drum_def_default(&def);
-  def.body.kind = TABOR_BODY_HIHAT;
-  def.shell.radius = 0.15;
-  def.strike.radius = 0.1;
-  def.plate.thickness = def.bottom.thickness = 0.004;
-  def.plate.youngs_modulus = def.bottom.youngs_modulus = 1e12;
+  TaborDrumDef def = physics_stiff_hihat();
   def.plate.heave_frequency = 6.0;
   def.bottom.heave_frequency = 9.0;
-  def.plate.large_deflections = 0.0;
   def.hihat.opening = -2e-3;
-  def.hihat.tilt = def.hihat.unevenness = 0.0;
   def.hihat.contact_stiffness = 1e12;
-  def.air.density = def.air.gravity = 0.0;
+  def.air.density = 0.0;
   return def;
 }
 

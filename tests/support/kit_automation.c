@@ -13,6 +13,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "processor_time.h"
 #include "tabor/kit.h"
 
 enum { RUNS = 9, BLOCKS = 100, FRAMES = 480 };
@@ -24,13 +25,6 @@ static _Noreturn void fail(const char *why) {
 
 static void require(TaborStatus status, const TaborError *error) {
   if (status != TABOR_OK) fail(error->message);
-}
-
-/* [s] of this thread. */
-static double processor_time(void) {
-  struct timespec time;
-  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
 /* A kit and its models. */

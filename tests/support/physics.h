@@ -44,6 +44,21 @@ static inline TaborDrumDef physics_membrane(void) {
   return def;
 }
 
+/* Two flat, stiff plates as a hi-hat, even all around, without gravity. */
+static inline TaborDrumDef physics_stiff_hihat(void) {
+  TaborDrumDef def;
+  tabor_drum_def_default(&def);
+  def.body.kind = TABOR_BODY_HIHAT;
+  def.shell.radius = 0.15;
+  def.strike.radius = 0.1;
+  def.plate.thickness = def.bottom.thickness = 0.004;
+  def.plate.youngs_modulus = def.bottom.youngs_modulus = 1e12;
+  def.plate.large_deflections = 0.0;
+  def.hihat.tilt = def.hihat.unevenness = 0.0;
+  def.air.gravity = 0.0;
+  return def;
+}
+
 static inline TaborModel *physics_model(const TaborDrumDef *def, double rate, uint32_t quality) {
   TaborModelOptions options;
   tabor_model_options_default(&options);

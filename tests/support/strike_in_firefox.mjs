@@ -10,14 +10,13 @@ import { writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
 
+import { takeSeconds } from "./take_seconds.mjs";
+
 const [address, tools, folder, executablePath] = process.argv.slice(2);
 const require = createRequire(resolve(tools, "package.json"));
 const puppeteer = require("puppeteer-core");
 
 const WAIT = 120_000; // [ms]; nothing here fails because a machine is slow
-const FRAME_BYTES = 8; // two channels of floats
-const HEADER_BYTES = 58;
-const RATE = 48000; // [Hz]
 
 let wrong = 0;
 function complain(text) {
@@ -78,11 +77,11 @@ async function record(page) {
   }
   await page.click("#record");
   await status(page, "Recorded");
-  const sound = await offered(page, "#sound-file");
-  writeFileSync(join(folder, "take-firefox.wav"), sound);
+  const sound = join(folder, "take-firefox.wav");
+  writeFileSync(sound, await offered(page, "#sound-file"));
   writeFileSync(join(folder, "take-firefox.csv"), await offered(page, "#strokes-file"));
   const command = await page.$eval("#command-text", (element) => element.textContent);
-  console.log(`take-firefox ${(sound.length - HEADER_BYTES) / FRAME_BYTES / RATE} ${command}`);
+  console.log(`take-firefox ${takeSeconds(sound)} ${command}`);
 }
 
 const browser = await puppeteer.launch({ browser: "firefox", executablePath, headless: true });

@@ -8,9 +8,11 @@
 // TOOLS is the folder into which tools/setup --web installs. FOLDER gets NAME.wav and NAME.csv, of a kit NAME.mid, of each
 // recording and pictures of the page. Prints a line "NAME SECONDS COMMAND" for each recording, with the command that the page shows for
 // it, and what was measured as "# ..." lines. Status 1 if something is wrong.
-import { readFileSync, statSync } from "node:fs";
+import { readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { join, resolve } from "node:path";
+
+import { takeSeconds } from "./take_seconds.mjs";
 
 const [address, tools, folder, seconds] = process.argv.slice(2);
 const require = createRequire(resolve(tools, "package.json"));
@@ -119,9 +121,6 @@ async function save(page, link, file) {
   await download.saveAs(join(folder, file));
 }
 
-/** Length of a recording in stereo: its header has 58 bytes. */
-const secondsOf = (file) => (statSync(file).size - 58) / 8 / 48000;
-
 /** Records what `play` plays, and prints how the program makes it again. */
 async function recordTake(page, name, play, strokes, extension) {
   await page.getByRole("button", { name: "Record" }).click();
@@ -131,7 +130,7 @@ async function recordTake(page, name, play, strokes, extension) {
   await save(page, "Sound (WAV)", `${name}.wav`);
   await save(page, strokes, `${name}.${extension}`);
   const command = await page.locator("#command-text").innerText();
-  console.log(`${name} ${secondsOf(join(folder, `${name}.wav`))} ${command}`);
+  console.log(`${name} ${takeSeconds(join(folder, `${name}.wav`))} ${command}`);
   return join(folder, `${name}.${extension}`);
 }
 

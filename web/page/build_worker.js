@@ -47,14 +47,14 @@ function pictureOf(engine, instrument, drum) {
 function modesOf(engine, instrument, drum, { radius, place }, { heads, circles }) {
   const modes = [];
   for (let row = 0; modes.length < MOST_MODES; row++) {
-    const [frequency, time, m, copies, part, phase] =
-      Array.from({ length: 6 }, (_, i) => engine.mode_value(instrument, drum, row, i));
+    const [frequency, time, m, part, phase] = Array.from({ length: 5 }, (_, i) => engine.mode_value(instrument, drum, row, i));
     if (!frequency) break;
+    if (part === RIM) continue;
     const shapes = Array.from({ length: heads }, (_, head) =>
       Array.from({ length: circles }, (_, i) => engine.mode_shape(instrument, drum, row, head, (radius * i) / (circles - 1))));
     const most = Math.max(...shapes.flat().map(Math.abs));
     const struck = Math.abs(engine.mode_shape(instrument, drum, row, 0, place));
-    if (part !== RIM && struck > 0.02 * most) modes.push({ frequency, time, m, copies, part, phase, shapes, most });
+    if (struck > 0.02 * most) modes.push({ frequency, time, m, part, phase, shapes, most });
   }
   return modes;
 }

@@ -35,6 +35,7 @@ export class ModesView {
   #facts = null;
   #mode = null; // that is isolated
   #began = 0; // [ms]
+  #asked = false; // a picture is to come
 
   /** Elements: where the buttons go, what is said of a mode, the button that drives it. */
   constructor(list, text, drive, setHeights, sound) {
@@ -53,10 +54,6 @@ export class ModesView {
     this.#facts = facts;
     this.#drum = drum;
     this.#list.replaceChildren(...facts.lowModes.map((mode) => this.#buttonOf(mode)));
-  }
-
-  get isOn() {
-    return this.#mode !== null;
   }
 
   /** The drum moves as a whole again. */
@@ -86,7 +83,7 @@ export class ModesView {
     if (!mode) return moved ? this.#setHeights(null) : undefined;
     this.#sound.playTone(mode.frequency, TONE, mode.time);
     this.#began = performance.now();
-    this.#swing();
+    if (!this.#asked) this.#swing();
   }
 
   #setDriven(on) {
@@ -96,7 +93,8 @@ export class ModesView {
   }
 
   #swing() {
-    if (!this.#mode) return;
+    this.#asked = this.#mode !== null;
+    if (!this.#asked) return;
     const { circles, angles } = this.#facts.picture;
     const axis = (this.#facts.angle * TURN) / 360; // of the cosines
     const { most, m } = this.#mode;

@@ -105,17 +105,46 @@ TaborModeInfo tb_body_mode_info(const TbBodyMode *mode) {
                          .multiplicity = mode->m ? 2 : 1};
 }
 
+/* Bessel amplitudes of a mode on a surface. */
+static const double *amplitudes(const TbBodyOrder *order, uint32_t which, const TbBodyMode *mode) {
+  return order->vectors[which] + (size_t)mode->place * order->zero_count;
+}
+
+static double edge_motion(const TbBodyOrder *order, uint32_t which, const TbBodyMode *mode) {
+  return order->edge[which] ? order->edge[which][mode->place] : 0.0;
+}
+
 double tb_body_slope_square(const TbBody *body, uint32_t which, const TbBodyMode *mode) {
   const TbBodyOrder *order = &body->orders[mode->m];
-  const double *v = order->vectors[which] + (size_t)mode->place * order->zero_count;
+  const double *v = amplitudes(order, which, mode);
   const double azimuth = mode->m ? PI : 2.0 * PI;
   double sum = 0.0;
   for (uint32_t i = 0; i < order->zero_count; i++) {
     const double slope = order->zeros[i] * tb_bessel_j(mode->m + 1, order->zeros[i]);
     sum += v[i] * v[i] * slope * slope;
   }
-  const double edge = order->edge[which] ? order->edge[which][mode->place] : 0.0;
+  const double edge = edge_motion(order, which, mode);
   return 0.5 * azimuth * sum + azimuth * mode->m * edge * edge;
+}
+
+double tb_body_shape(const TbBody *body, uint32_t which, const TbBodyMode *mode, double r) {
+  const TbBodyOrder *order = &body->orders[mode->m];
+  const double *v = amplitudes(order, which, mode), part = r / body->radius;
+  double sum = 0.0, edge = edge_motion(order, which, mode);
+  for (uint32_t i = 0; i < order->zero_count; i++)
+    sum += v[i] * tb_bessel_j(mode->m, order->zeros[i] * part);
+  for (uint32_t i = 0; i < mode->m; i++) edge *= part;
+  return sum + edge;
+}
+
+double tb_body_volume(const TbBody *body, uint32_t which, const TbBodyMode *mode) {
+  if (mode->m > 0) return 0.0;
+  const TbBodyOrder *order = &body->orders[0];
+  const double *v = amplitudes(order, which, mode);
+  double sum = edge_motion(order, which, mode);
+  for (uint32_t i = 0; i < order->zero_count; i++)
+    sum += 2.0 * v[i] * tb_bessel_j(1, order->zeros[i]) / order->zeros[i];
+  return PI * body->radius * body->radius * sum;
 }
 
 void tb_body_patch(const TbBody *body, double patch_radius, double *patch) {

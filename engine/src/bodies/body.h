@@ -139,6 +139,11 @@ static inline double tb_body_omega(const TbBodyMode *mode, bool sine) {
  * Sum_i v_i^2 K_i^2 a_m R^2 J_{m+1}(z_i)^2/2, and a_m m e^2 of the edge, whose motion is harmonic.
  */
 double tb_body_slope_square(const TbBody *body, uint32_t which, const TbBodyMode *mode);
+/* w of one mode on surface `which` at distance r from the centre, along cos(m theta). */
+double tb_body_shape(const TbBody *body, uint32_t which, const TbBodyMode *mode, double r);
+/* Int w dA of one mode on surface `which`: 2 pi R^2 J_1(z_i)/z_i of each Bessel function and pi R^2
+ * of the edge for m = 0, else nothing [m^2]. */
+double tb_body_volume(const TbBody *body, uint32_t which, const TbBodyMode *mode);
 /* The lowest frequency of a mode that moves more than the rim [rad/s]. */
 double tb_body_lowest(const TbBody *body);
 

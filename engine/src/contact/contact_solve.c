@@ -111,11 +111,22 @@ static void half_step(TbSolve *solve, TbResidual found) {
   follow_forces(solve);
 }
 
+enum { CIRCLE = 4 };            /* steps */
+static const double LESS = 0.7; /* of a residual: what settles falls by more in so many steps */
+
+/* Whether steps go round in a circle, from the sixth on. residuals[CIRCLE]: of the last ones. */
+static bool circles(const TbSolve *solve, uint32_t step, double residual, double *residuals) {
+  double *before = &residuals[step % CIRCLE];
+  const bool does = solve->in.lossy && step > CIRCLE && residual > LESS * *before;
+  *before = does ? INFINITY : residual;
+  return does;
+}
+
 /* Newton's iteration; true if it came to its end and all is given back. */
 static bool newton(TbSolve *solve, TbStart size, double enough, bool *astray,
                    TbSolveOutcome *outcome) {
   const uint32_t cap = solve->in.cap;
-  double way = 0.0, before[4]; /* residuals of the last steps */
+  double way = 0.0, residuals[CIRCLE];
   for (uint32_t i = 0;; i++) {
     outcome->iterations = i;
     *astray = goes_astray(way, size);
@@ -132,9 +143,7 @@ static bool newton(TbSolve *solve, TbStart size, double enough, bool *astray,
       follow_forces(solve);
       return false;
     }
-    const bool circles = solve->in.lossy && i >= 5 && found.largest > 0.7 * before[i % 4];
-    before[i % 4] = circles ? INFINITY : found.largest;
-    if (circles) {
+    if (circles(solve, i, found.largest, residuals)) {
       half_step(solve, found);
       continue;
     }

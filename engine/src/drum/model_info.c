@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: MIT */
 /* Queries about a model and about the drums made from it. */
-#include "math/bessel.h"
 #include "state/state.h"
 
 static uint32_t row_count(const TaborModel *model) {
@@ -38,14 +37,6 @@ bool tabor_model_mode_shape(const TaborModel *model, uint32_t row, uint32_t surf
   *shape = 0.0;
   if (model->lugs.count > 0 || row >= body->row_count || surface >= body->surfaces) return false;
   if (!(radius >= 0.0 && radius <= body->radius)) return false;
-  const TbBodyMode *mode = &body->modes[row];
-  const TbBodyOrder *order = &body->orders[mode->m];
-  const double *v = order->vectors[surface] + (size_t)mode->place * order->zero_count;
-  const double part = radius / body->radius;
-  double edge = order->edge[surface] ? order->edge[surface][mode->place] : 0.0;
-  for (uint32_t i = 0; i < order->zero_count; i++)
-    *shape += v[i] * tb_bessel_j(mode->m, order->zeros[i] * part);
-  for (uint32_t i = 0; i < mode->m; i++) edge *= part;
-  *shape += edge;
+  *shape = tb_body_shape(body, surface, &body->modes[row], radius);
   return true;
 }

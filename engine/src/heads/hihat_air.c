@@ -20,9 +20,7 @@ static double gap_area(const TbView *view) {
 
 /* W of the step to view->next. */
 static double volume_taken(const TbView *view) {
-  const TbModeForce *volume = &view->model->hihat_air.volume;
-  return 0.5 *
-         (tb_mode_force_along(volume, view->next.q) - tb_mode_force_along(volume, view->last.q));
+  return tb_mode_force_way(view, &view->model->hihat_air.volume);
 }
 
 /* P with b P + a |P|^(1/2) sgn(P) = r, a >= 0, b > 0. */
@@ -36,6 +34,7 @@ static double mean_pressure(double a, double b, double r) {
 void tb_hihat_air_push(TbView *view) {
   const TbHihatAir *air = &view->model->hihat_air;
   TbHihatAirState *state = &view->state->air;
+  state->mean = 0.0;
   if (air->stiffness == 0.0 || view->state->wires.lifted) return;
   const double free = volume_taken(view) + state->by_contacts;
   const double flow = view->model->time_step * CONTRACTION * gap_area(view) *

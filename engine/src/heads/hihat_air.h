@@ -13,11 +13,12 @@
  * kept, and the pressure follows it down: e(n+1/2) is the lesser of that of the pressure above and
  * e(n-1/2) - P W, the rest is lost. So the air creates none, whatever the contacts do.
  *
- * Limits: where edges are a thousandth of the radius apart, rigid plates that close at the speed u
- * feel rho (u R/(2 C h))^2/2; without a gap, the spring rho c^2 A^2/V. The volume is that of closed
- * plates, the pressure is uniform, which holds below 3.83 c/(2 pi R) = 1.2 kHz, the air in the gap
- * has no mass, the jet makes no sound of its own, and the air's load on the inner faces is that of
- * open plates. Audio-safe. */
+ * Limits: rigid plates of the radius R that close at the steady speed u, h apart, feel the pressure
+ * rho (u R/(2 C h))^2/2; without a gap, the spring rho c^2 (pi R^2)^2/V.
+ *
+ * The volume is that of closed plates, the pressure is uniform, which holds below 3.83 c/(2 pi R) =
+ * 1.1 kHz for 14 inch, the air in the gap has no mass, the jet makes no sound of its own, and the
+ * air's load on the inner faces is that of open plates. Audio-safe. */
 #ifndef TB_HIHAT_AIR_H
 #define TB_HIHAT_AIR_H
 

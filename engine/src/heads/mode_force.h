@@ -22,4 +22,10 @@ static inline double tb_mode_force_along(const TbModeForce *force, const double 
   return sum;
 }
 
+/* How far the step to view->next moves the force: half of its way since the last instant. */
+static inline double tb_mode_force_way(const TbView *view, const TbModeForce *force) {
+  return 0.5 *
+         (tb_mode_force_along(force, view->next.q) - tb_mode_force_along(force, view->last.q));
+}
+
 #endif

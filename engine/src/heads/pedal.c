@@ -53,8 +53,5 @@ double tb_pedal_product(const TbView *view, const double *pull) {
 }
 
 double tb_pedal_work(const TbView *view) {
-  const TbModeForce *rod = &view->model->rod;
-  const double way =
-    tb_mode_force_along(rod, view->next.q) - tb_mode_force_along(rod, view->last.q);
-  return 0.5 * tb_pedal_risen(view) * way;
+  return tb_pedal_risen(view) * tb_mode_force_way(view, &view->model->rod);
 }

@@ -103,6 +103,11 @@ static TaborStatus prepare_center(TaborModel *model, TbArena *scratch) {
   if (model->arena.failed || scratch->failed) return TABOR_ERROR_MEMORY;
   tb_modes_shape(&model->modes, &model->body, model->wires.head, 0.0, 0.0, 1.0, NULL, radial,
                  model->center);
+  return TABOR_OK;
+}
+
+static TaborStatus prepare_hihat(TaborModel *model, TbArena *scratch) {
+  (void)scratch;
   const TaborStatus status =
     tb_rod_prepare(&model->rod, &model->arena, &model->modes, &model->body);
   if (status != TABOR_OK) return status;
@@ -392,6 +397,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
                           {prepare_stretch, 0.0},
                           {tb_wire_reach_prepare, 0.1 * cost->contacts},
                           {prepare_center, 0.0},
+                          {prepare_hihat, 0.0},
                           {prepare_mics, cost->high_band},
                           {prepare_sticks, 0.0},
                           {prepare_patches, 0.0},

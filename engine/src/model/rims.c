@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include "bodies/plate/plate_profile.h"
-#include "math/bessel.h"
 #include "math/draw.h"
 #include "math/portable_math.h"
 #include "math/quadrature.h"
@@ -92,22 +91,9 @@ TaborStatus tb_rod_prepare(TbModeForce *rod, TbArena *arena, const TbModes *mode
   return mode_force_prepare(rod, arena, modes, body, rod_along);
 }
 
-/* Int w dA: 2 pi R^2 J_1(z)/z of each Bessel function, pi R^2 of the edge. */
-static double volume_under(const TbBody *body, uint32_t row, uint32_t surface) {
-  const TbBodyMode *mode = &body->modes[row];
-  const TbBodyOrder *order = &body->orders[mode->m];
-  const double *v = order->vectors[surface] + (size_t)mode->place * order->zero_count;
-  const double area = PI * body->radius * body->radius;
-  double sum = order->edge[surface][mode->place];
-  for (uint32_t i = 0; i < order->zero_count; i++) {
-    sum += 2.0 * v[i] * tb_bessel_j(1, order->zeros[i]) / order->zeros[i];
-  }
-  return area * sum;
-}
-
 static double volume_along(const TbBody *body, uint32_t row) {
-  if (body->modes[row].m > 0) return 0.0;
-  return volume_under(body, row, 0) - volume_under(body, row, 1);
+  const TbBodyMode *mode = &body->modes[row];
+  return tb_body_volume(body, 0, mode) - tb_body_volume(body, 1, mode);
 }
 
 /* Between a plate at rest and the plane of its edge: -pi Int r^2 w0'(r) dr. */
@@ -131,9 +117,9 @@ static double closed_volume(const TaborDrumDef *def) {
 TaborStatus tb_hihat_air_prepare(TbHihatAir *air, TbArena *arena, const TaborDrumDef *def,
                                  const TbModes *modes, const TbBody *body) {
   *air = (TbHihatAir){0};
+  if (def->body.kind != TABOR_BODY_HIHAT || !(def->air.density > 0.0)) return TABOR_OK;
   const double volume = closed_volume(def);
-  const bool exists = def->body.kind == TABOR_BODY_HIHAT && def->air.density > 0.0;
-  if (!exists || !(volume > 0.0)) return TABOR_OK;
+  if (!(volume > 0.0)) return TABOR_OK;
   air->stiffness = def->air.density * def->air.sound_speed * def->air.sound_speed / volume;
   air->width = 2.0 * PI * def->shell.radius / def->hihat.points;
   const TaborStatus status = mode_force_prepare(&air->volume, arena, modes, body, volume_along);

@@ -202,12 +202,12 @@ static bool microphones(const TaborModel *model, const TbState *state) {
          all_within(NUMBERS(state->mics.ears), MOST) && all_within(NUMBERS(state->mics.kick), MOST);
 }
 
-/* Its energy, psi^2 - C, may be negative. */
 static bool hihat_air(const TbHihatAirState *air) {
   const double numbers[] = {air->pressure, air->energy, air->by_contacts, air->mean, air->foreseen};
   return all_within(NUMBERS(numbers), MOST);
 }
 
+/* Its energy, psi^2 - C, may be negative. */
 static bool plate(const TbPlateState *plate) {
   return all_within(NUMBERS(plate->psi), MOST) && plate->shift >= 0.0 &&
          within(plate->shift, MOST) && within(plate->energy, MOST) && plate->part >= 0.0 &&

@@ -5,8 +5,8 @@
  * wait for nothing while it is open, and that nothing stays of a window that is closed.
  *
  * test_clap_window; OPENINGS in the environment is how often a window is opened, PICTURES a folder
- * for pictures of it. PLAY_SECONDS=60 plays for so long with the window open and for so long without one,
- * in turns, and prints the processor time of blocks of both.
+ * for pictures of it. PLAY_SECONDS=60 plays for so long with the window open and for so long
+ * without one, in turns, and prints the processor time of blocks of both.
  */
 #define _POSIX_C_SOURCE 200809L
 #include "clap_window.h"
@@ -23,6 +23,7 @@
 #include <cmocka.h>
 
 #include "counted_calls.h"
+#include "processor_time.h"
 #include "user_files.h"
 #include "window_checks.h"
 
@@ -393,12 +394,6 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
 }
 
 enum { TURN = 300, BLOCK = 256, ROOM = 200000 }; /* blocks of a turn; frames; blocks at most */
-
-static double processor_time(void) {
-  struct timespec time;
-  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
-}
 
 static int compare_times(const void *a, const void *b) {
   const double one = *(const double *)a, other = *(const double *)b;

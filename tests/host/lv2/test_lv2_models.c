@@ -18,6 +18,7 @@
 
 #include "lv2/uris.h"
 #include "plugin/model_cache.h"
+#include "processor_time.h"
 
 static const LV2_Descriptor *plugin(const char *uri) {
   const LV2_Descriptor *const descriptor = lv2_descriptor(strcmp(uri, URI_DRUM) == 0 ? 0 : 1);
@@ -33,12 +34,6 @@ static PluginHost *open_at_draft(const char *uri, HostWorker worker) {
 }
 
 /* ---- when models are built ------------------------------------------------------------------ */
-
-static double processor_time(void) {
-  struct timespec now;
-  (void)clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
 
 /* The smallest of some trials: others are at work on the machine, too. */
 static void test_instantiation_is_quick(void **state) {

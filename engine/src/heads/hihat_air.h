@@ -17,7 +17,7 @@
  * rho (u R/(2 C h))^2/2; without a gap, the spring rho c^2 (pi R^2)^2/V.
  *
  * The volume is that of closed plates, the pressure is uniform, which holds below 3.83 c/(2 pi R) =
- * 1.1 kHz for 14 inch, the air in the gap has no mass, the jet makes no sound of its own, and the
+ * 1.2 kHz for 14 inch, the air in the gap has no mass, the jet makes no sound of its own, and the
  * air's load on the inner faces is that of open plates. Audio-safe. */
 #ifndef TB_HIHAT_AIR_H
 #define TB_HIHAT_AIR_H

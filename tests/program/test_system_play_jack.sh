@@ -24,13 +24,10 @@ start_jack
 # ---- what there is ----
 
 run devices --json
-# ALSA may have devices before it, as "ALSA: jack" where its plugins are installed.
-at=0
-while [ "$(json devices.$at.name)" != "JACK: system" ] && [ $at -lt 20 ]; do at=$((at + 1)); done
-same "a device" "JACK: system" "$(json devices.$at.name)"
-same "its channels" 2 "$(json devices.$at.channels)"
-same "it is the default" true "$(json devices.$at.default)"
-holds "its rate" "$(json devices.$at.rate) == 48000"
+same "a device" "JACK: system" "$(json devices.0.name)"
+same "its channels" 2 "$(json devices.0.channels)"
+same "it is the default" true "$(json devices.0.default)"
+holds "its rate" "$(json devices.0.rate) == 48000"
 run devices
 check "devices lists it" grep -q '^JACK: system (default): 2 channels, 48000 Hz' "$out"
 failed "--device 'nonsense': no such output; there are .*'JACK: system'" play --device nonsense

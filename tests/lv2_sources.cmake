@@ -60,7 +60,7 @@ if(TABOR_WINDOW_FOUND)
 else()
   list(FILTER TABOR_TEST_SOURCES EXCLUDE REGEX "/test_lv2_(kit_)?window")
   foreach(name IN ITEMS test_lv2_window test_lv2_kit_window)
-    tabor_add_skipped_test(${name} "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+    tabor_add_skipped_test(${name} "no cairo-xcb, xcb or xkbcommon-x11: needs libcairo2-dev libxcb1-dev libxkbcommon-x11-dev")
   endforeach()
 endif()
 

@@ -24,7 +24,7 @@ foreach(name IN ITEMS test_vst3_bundle test_vst3_dawdreamer test_vst3_pedalboard
 endforeach()
 
 if(NOT TABOR_WINDOW_FOUND)
-  tabor_add_skipped_test(test_vst3_window "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev")
+  tabor_add_skipped_test(test_vst3_window "no cairo-xcb, xcb or xkbcommon-x11: needs libcairo2-dev libxcb1-dev libxkbcommon-x11-dev")
   return()
 endif()
 add_executable(test_vst3_window host/vst3/test_vst3_window.cpp support/user_files.c support/window_checks.c

@@ -8,6 +8,7 @@
 #define TABOR_HOST_USER_PRESETS_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #define USER_PRESET_PATH 4096 /**< bytes of a path */
 
@@ -16,6 +17,11 @@
  * be there. False if the user has no such place.
  */
 bool user_folder(char path[USER_PRESET_PATH]);
+/** Names a file of the folder, which need not be there. */
+bool user_file_path(const char *file, char path[USER_PRESET_PATH]);
+/** Writes a file of the folder, which is made if need be, as a whole or not at all. False, with one
+ * line in @p message. */
+bool user_folder_write(const char *file, const char *text, char *message, size_t size);
 /** Names the file of the preset @p name, which need not be there. False if the user has no such
  * folder. */
 bool user_preset_path(const char *name, char path[USER_PRESET_PATH]);

@@ -3,8 +3,15 @@
 
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #define WORD_SIZE 256
+
+uint32_t choice_count(const char *choices) {
+  uint32_t count = 1;
+  for (; *choices; choices++) count += *choices == '|';
+  return count;
+}
 
 int choice_text(const char *choices, int number, char *text, uint32_t size) {
   for (; number > 0 && *choices; number--) {
@@ -18,7 +25,7 @@ bool choice_find(const char *choices, const char *text, double *value) {
   char word[WORD_SIZE];
   for (int number = 0; choice_text(choices, number, word, sizeof word) > 0; number++) {
     *value = number;
-    if (strcmp(word, text) == 0) return true;
+    if (strcasecmp(word, text) == 0) return true;
   }
   return false;
 }

@@ -9,9 +9,11 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/** Number of words. */
+uint32_t choice_count(const char *choices);
 /** Writes word @p number of @p choices, "" past the last; returns its length. */
 int choice_text(const char *choices, int number, char *text, uint32_t size);
-/** Finds the value of the word @p text; false if it is none. */
+/** Finds the value of the word @p text, in capitals or not; false if it is none. */
 bool choice_find(const char *choices, const char *text, double *value);
 
 #endif

@@ -175,15 +175,43 @@ static bool load_file(const char *path, TaborDrumDef *def, char *message) {
 
 /* Knobs stand where the drum is; of parts that it lacks, where they stood. So does KNOB_DRUM with a
  * drum of the user's. */
-static bool load(Instrument *instrument, const char *name, bool is_file, InstrumentSetting *setting,
-                 char *message) {
-  if (!(is_file ? load_file : load_built_in)(name, &setting->def, message)) return false;
+static void follow_drum(const Instrument *instrument, InstrumentSetting *setting) {
   for (uint32_t i = 0; i < KNOB_SEEN; i++) {
     const double shown = knob_shown(&setting->def, (KnobId)i);
     if (isfinite(shown))
       setting->values[i] = knob_limited(&knobs[i], &instrument->ranges[i], shown);
     setting->seen[i] = setting->values[i];
   }
+}
+
+static bool load(Instrument *instrument, const char *name, bool is_file, InstrumentSetting *setting,
+                 char *message) {
+  if (!(is_file ? load_file : load_built_in)(name, &setting->def, message)) return false;
+  follow_drum(instrument, setting);
+  return true;
+}
+
+/* A knob that stands elsewhere than where it stood with the drum was turned. */
+static bool define(Instrument *instrument, const InstrumentSetting *setting,
+                   Definition *definition) {
+  (void)instrument;
+  definition->is_kit = false;
+  definition->drum = setting->def;
+  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
+    if (isfinite(setting->seen[i]) && setting->values[i] != setting->seen[i])
+      knob_give(&definition->drum, (KnobId)i, knob_decimal(setting->values[i]));
+  }
+  return true;
+}
+
+/* A pitch that the head cannot have is refused here: later only the log would say so. */
+static bool redefine(Instrument *instrument, const Definition *definition,
+                     InstrumentSetting *setting, char *message) {
+  TaborDrumDef tuned = definition->drum;
+  TaborError error;
+  if (tabor_drum_def_tune(&tuned, &error) != TABOR_OK) return refuse(message, &error);
+  setting->def = definition->drum;
+  follow_drum(instrument, setting);
   return true;
 }
 
@@ -299,6 +327,8 @@ const InstrumentCalls drum_instrument = {.size = sizeof(DrumInstrument),
                                          .text = text,
                                          .read = read,
                                          .load = load,
+                                         .define = define,
+                                         .redefine = redefine,
                                          .tail = tail,
                                          .rest = rest,
                                          .export_sound = export_sound,

@@ -19,6 +19,7 @@
 #include "kit/kit_threads.h"
 #include "midi/midi_map.h"
 #include "plugin/builder.h"
+#include "plugin/definition.h"
 #include "plugin/knob.h"
 #include "plugin/plugin_buffers.h"
 #include "plugin/window_link.h"
@@ -133,6 +134,12 @@ struct InstrumentCalls {
    * with it. */
   bool (*load)(Instrument *instrument, const char *name, bool is_file, InstrumentSetting *setting,
                char *message);
+  /** The drum or kit that a setting and its knobs say. False: memory is short. */
+  bool (*define)(Instrument *instrument, const InstrumentSetting *setting, Definition *definition);
+  /** Puts an edited one into a setting, with the knobs where they are with it. False, with a line
+   * in @p message of INSTRUMENT_MESSAGE bytes. */
+  bool (*redefine)(Instrument *instrument, const Definition *definition, InstrumentSetting *setting,
+                   char *message);
   /** The name of what the main knob takes, if sessions have it in place of a number; and the other
    * way round. */
   const char *(*name)(float value);

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "drums/definition_text.h"
 #include "plugin/kit_plugin_player.h"
 
 #define LONGEST_RING 20.0 /* [s] within which all drums and a hall have died away */
@@ -128,6 +129,28 @@ static bool load(Instrument *instrument, const char *place, bool is_file,
   return false;
 }
 
+static bool define(Instrument *instrument, const InstrumentSetting *setting,
+                   Definition *definition) {
+  definition->is_kit = true;
+  return kit_knobs_define(setting->values, &kit_of(instrument)->own, &definition->kit, NULL) ==
+         TABOR_OK;
+}
+
+/* It becomes the user's own kit, which has the tunings and the room that knobs added. */
+static bool redefine(Instrument *instrument, const Definition *definition,
+                     InstrumentSetting *setting, char *message) {
+  TaborError error;
+  char *const text = definition_write_kit(&definition->kit, TABOR_TEXT_KEEP, NULL, &error);
+  if (!text) (void)snprintf(message, INSTRUMENT_MESSAGE, "%s", error.message);
+  const bool is_read = text && read(instrument, text, strlen(text), setting, message);
+  free(text);
+  if (!is_read) return false;
+  for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++) setting->values[KIT_KNOB_TUNE + i] = 0;
+  setting->values[KIT_KNOB_ROOM] = 0;
+  setting->values[KIT_KNOB_KIT] = (float)kit_knobs[KIT_KNOB_KIT].maximum;
+  return true;
+}
+
 static double tail(const Instrument *instrument) {
   (void)instrument;
   return LONGEST_RING;
@@ -248,6 +271,8 @@ const InstrumentCalls kit_instrument = {.size = sizeof(KitInstrument),
                                         .text = text,
                                         .read = read,
                                         .load = load,
+                                        .define = define,
+                                        .redefine = redefine,
                                         .name = name,
                                         .find = find,
                                         .tail = tail,

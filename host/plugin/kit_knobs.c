@@ -6,7 +6,7 @@
 #define LEVEL(n)                                                                                   \
   {                                                                                                \
     .symbol = "level_" #n, .name = "Drum " #n " level", .group = "levels", .kind = KNOB_SETTING,   \
-    .minimum = -60, .maximum = 24, .fallback = 0, .unit = "dB", .off = -60,                        \
+    .minimum = -60, .maximum = 24, .fallback = 0, .unit = "dB", .off = -60, .is_level = true,      \
     .comment = "Level of the drum in the mix and at its output."                                   \
   }
 #define TUNE(n)                                                                                    \
@@ -51,6 +51,7 @@ const Knob kit_knobs[KIT_KNOB_COUNT] = {
                           .name = "Overheads",
                           .group = "levels",
                           .kind = KNOB_SETTING,
+                          .is_level = true,
                           DECIBEL,
                           .comment = "Level of the pair above the kit, beside what the kit says."},
   [KIT_KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",

@@ -50,6 +50,7 @@ typedef struct Knob {
   double step;             /**< of a hand that turns it in a window; 0: none */
   bool is_costly;          /**< though it is a setting, it has something built */
   bool is_bypass;          /**< its 0 lets the sound in pass through */
+  bool is_level;           /**< of a part of the mix, which can be mute or solo */
   bool is_gain;            /**< of all outputs */
   KnobScale scale;
   const char *comment;

@@ -23,7 +23,7 @@
 #define RESONANT_PITCH 304.944
 #define LEVEL(value)                                                                               \
   .kind = KNOB_SETTING, RANGE(LOWEST_LEVEL, 12), .fallback = (value), .unit = "dB",                \
-  .off = LOWEST_LEVEL, .group = "mics"
+  .off = LOWEST_LEVEL, .is_level = true, .group = "mics"
 
 const Knob knobs[KNOB_COUNT] = {
   [KNOB_BATTER_TENSION] = {.symbol = "batter_tension",
@@ -384,6 +384,14 @@ double *knob_field(TaborDrumDef *def, KnobId id) {
   case KNOB_UNEVENNESS: return def->wires.count > 0 ? &def->wires.unevenness : NULL;
   default: return NULL;
   }
+}
+
+void knob_give(TaborDrumDef *def, KnobId id, double value) {
+  double *const field = knob_field(def, id);
+  if (!field) return;
+  const double before = *field;
+  *field = id == KNOB_STRIKE_RADIUS ? fmin(value, def->shell.radius) : value;
+  if (tabor_drum_def_validate(def, NULL) != TABOR_OK) *field = before;
 }
 
 bool knob_has_part(TaborDrumDef *def, KnobId id) {

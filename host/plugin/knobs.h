@@ -113,6 +113,9 @@ TaborStrikerDef *knob_usual_striker(TaborDrumDef *def);
 bool knob_has_part(TaborDrumDef *def, KnobId id);
 /** The field of @p def for a knob with a key; NULL if the drum has no such part. */
 double *knob_field(TaborDrumDef *def, KnobId id);
+/** SET-UP. Turns a knob with a key in @p def. A value that this drum does not allow is passed over:
+ * it was meant for another one. */
+void knob_give(TaborDrumDef *def, KnobId id, double value);
 /**
  * SET-UP. The value at which a knob below KNOB_SEEN shows the drum @p def; NaN if the drum has no
  * such part, or is not named like a built-in one. It is the field's, but a head without a pitch

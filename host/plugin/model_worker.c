@@ -86,20 +86,9 @@ void model_worker_save(ModelWorker *worker, SavedState *saved) {
 
 /* ---- what is asked for --------------------------------------------------------------------- */
 
-/* A value that this drum does not allow is passed over: it was meant for another one. */
-static void set_field(TaborDrumDef *def, double *field, double value) {
-  if (!field) return;
-  const double before = *field;
-  *field = value;
-  if (tabor_drum_def_validate(def, NULL) != TABOR_OK) *field = before;
-}
-
 static void turn_knobs(const Request *request, TaborDrumDef *def) {
-  for (uint32_t i = 0; i < KNOB_KEYS; i++) {
-    const KnobTurn turn = request->turns[i];
-    const double most = i == KNOB_STRIKE_RADIUS ? def->shell.radius : turn.value;
-    if (turn.is_turned) set_field(def, knob_field(def, (KnobId)i), fmin(turn.value, most));
-  }
+  for (uint32_t i = 0; i < KNOB_KEYS; i++)
+    if (request->turns[i].is_turned) knob_give(def, (KnobId)i, request->turns[i].value);
 }
 
 /* Under lock. A restoration that the request does not know of yet takes the place of all it says.
@@ -157,8 +146,8 @@ static void compose_model(const ModelWorker *worker, Reply *reply) {
   TaborDrumDef *const def = &reply->def;
   if (reply->restoration == request->restoration) {
     const KnobTurn strainer = request->strainer, grip = request->grip;
-    if (strainer.is_turned) set_field(def, knob_field(def, KNOB_STRAINER), strainer.value);
-    if (grip.is_turned) set_field(def, &def->hand.grip, grip.value);
+    if (strainer.is_turned) knob_give(def, KNOB_STRAINER, strainer.value);
+    if (grip.is_turned) def->hand.grip = fmin(fmax(grip.value, 0), 1);
   }
   stick_choice_take(request->stick, def);
   for (uint32_t i = 0; i < KNOB_KEYS; i++) reply->given[i] = NAN;

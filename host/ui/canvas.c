@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "ui/keys.h"
+#include "base/keys.h"
 
 #define WORTH_A_MOVE                                                                               \
   6 /* columns: to move the cursor over fewer takes more bytes than to write them */

@@ -14,7 +14,7 @@
 #define TABOR_HOST_KEYMAP_H
 
 #include "base/message.h"
-#include "ui/keys.h"
+#include "base/keys.h"
 
 typedef enum ActionKind {
   ACTION_NONE,

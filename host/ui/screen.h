@@ -14,7 +14,7 @@
 #include "sound/play_status.h"
 #include "ui/canvas.h"
 #include "ui/keymap.h"
-#include "ui/line_editor.h"
+#include "base/line_editor.h"
 #include "ui/meter.h"
 
 #define SCREEN_MESSAGE_SIZE 512 /**< bytes, with the terminator */

@@ -3,15 +3,19 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
 static const Box BUTTONS[BUTTON_COUNT] = {
   [BUTTON_BEFORE] = {420, 20, 28, 28},   [BUTTON_NEXT] = {668, 20, 28, 28},
-  [BUTTON_COMPARE] = {420, 396, 66, 26}, [BUTTON_UNDO] = {492, 396, 54, 26},
-  [BUTTON_PAGE] = {552, 396, 72, 26},    [BUTTON_SOUNDS] = {450, 20, 216, 28}};
+  [BUTTON_COMPARE] = {420, 396, 60, 26}, [BUTTON_UNDO] = {484, 396, 28, 26},
+  [BUTTON_REDO] = {516, 396, 28, 26},    [BUTTON_PAGE] = {548, 396, 88, 26},
+  [BUTTON_SOUNDS] = {450, 20, 216, 28}};
 static const double TITLE_SIZE = 16, TITLE_GAP = 8;
-static const double TITLE[2] = {550, 40}; /* its middle */
-static const double MARK[2] = {650, 31}, MARK_SIZE = 9;
-static const Box METER = {632, 396, 64, 10};
+static const double TITLE[2] = {550, 40};         /* its middle */
+static const double MARK_SIZE = 9, MARK_EDGE = 7; /* of a triangle, from a button's right end */
+static const double PI = 3.14159265358979323846;
+static const Box METER = {640, 396, 56, 10};
 static const double METER_STEP = 16;
 static const double LOWEST_LEVEL = -60; /* [dB] of a meter */
 
@@ -30,13 +34,14 @@ void field(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.22, 0.24, 0.27); }
 void ink(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.90, 0.91, 0.92); }
 void pale(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.66, 0.69, 0.72); }
 void accent(cairo_t *cairo) { cairo_set_source_rgb(cairo, 0.95, 0.62, 0.20); }
+void alarm(cairo_t *cairo) { cairo_set_source_rgb(cairo, 1.00, 0.55, 0.50); }
 
 void paint_paper(cairo_t *cairo, double scale) {
   paper(cairo);
   cairo_paint(cairo);
   cairo_scale(cairo, scale, scale);
   cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo, 13);
+  cairo_set_font_size(cairo, USUAL_TEXT);
 }
 
 void paint_text(cairo_t *cairo, double x, double y, Align align, const char *text) {
@@ -46,9 +51,62 @@ void paint_text(cairo_t *cairo, double x, double y, Align align, const char *tex
   cairo_show_text(cairo, text);
 }
 
+void paint_text_in(cairo_t *cairo, double x, double y, double room, const char *text) {
+  cairo_save(cairo);
+  cairo_rectangle(cairo, x, y - 2 * USUAL_TEXT, room, 3 * USUAL_TEXT);
+  cairo_clip(cairo);
+  paint_text(cairo, x, y, AT_LEFT, text);
+  cairo_restore(cairo);
+}
+
+static bool fits(cairo_t *cairo, const char *text, double room) {
+  cairo_text_extents_t size;
+  cairo_text_extents(cairo, text, &size);
+  return size.x_advance <= room;
+}
+
+/* Takes as many words of @p text as fit, at least one; returns what is left. */
+static const char *take_line(cairo_t *cairo, const char *text, double room, char *line,
+                             size_t size) {
+  size_t taken = strcspn(text, " ");
+  for (size_t end = taken; text[taken]; taken = end) {
+    end = taken + 1 + strcspn(text + taken + 1, " ");
+    (void)snprintf(line, size, "%.*s", (int)end, text);
+    if (!fits(cairo, line, room)) break;
+  }
+  (void)snprintf(line, size, "%.*s", (int)taken, text);
+  return text + taken + (text[taken] == ' ');
+}
+
+void paint_lines(cairo_t *cairo, double x, double y, double room, uint32_t most, const char *text) {
+  char line[512];
+  for (uint32_t i = 0; i < most && *text; i++) {
+    text = take_line(cairo, text, room, line, sizeof line);
+    paint_text(cairo, x, y + (SMALL_TEXT + 3) * i, AT_MIDDLE, line);
+  }
+}
+
 void paint_box(cairo_t *cairo, const Box *box) {
   cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
   cairo_fill(cairo);
+}
+
+void paint_focus(cairo_t *cairo, const Box *box) {
+  accent(cairo);
+  cairo_set_line_width(cairo, 1.5);
+  cairo_rectangle(cairo, box->x, box->y, box->width, box->height);
+  cairo_stroke(cairo);
+}
+
+void paint_switch(cairo_t *cairo, const Box *box, const char *letter, bool is_lit) {
+  field(cairo);
+  if (is_lit) accent(cairo);
+  paint_box(cairo, box);
+  ink(cairo);
+  if (is_lit) paper(cairo);
+  cairo_set_font_size(cairo, SMALL_TEXT);
+  paint_text(cairo, box->x + 0.5 * box->width, box->y + 0.5 * box->height + 4, AT_MIDDLE, letter);
+  cairo_set_font_size(cairo, USUAL_TEXT);
 }
 
 void paint_way(cairo_t *cairo, const Box *way, double position) {
@@ -110,22 +168,56 @@ static void paint_title(cairo_t *cairo, const char *title) {
 }
 
 /* A triangle: a list opens there. */
-static void paint_mark(cairo_t *cairo) {
+static void paint_mark(cairo_t *cairo, Button button) {
+  const Box *const box = &BUTTONS[button];
   pale(cairo);
-  cairo_move_to(cairo, MARK[0], MARK[1]);
+  cairo_move_to(cairo, box->x + box->width - MARK_EDGE - MARK_SIZE, box->y + 0.5 * box->height - 3);
   cairo_rel_line_to(cairo, MARK_SIZE, 0);
   cairo_rel_line_to(cairo, -0.5 * MARK_SIZE, 0.7 * MARK_SIZE);
   cairo_fill(cairo);
 }
 
-void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
-                 const double peaks[2]) {
+/* An arrow that turns back, to the left, or forward again. */
+static void paint_turn(cairo_t *cairo, Button button, bool is_back, bool is_lit) {
+  const Box *const box = &BUTTONS[button];
+  paint_button(cairo, button, "", is_lit);
+  cairo_save(cairo);
+  cairo_translate(cairo, box->x + 0.5 * box->width, box->y + 0.5 * box->height + 2);
+  cairo_scale(cairo, is_back ? 1 : -1, 1);
+  pale(cairo);
+  if (is_lit) ink(cairo);
+  cairo_new_path(cairo);
+  cairo_arc(cairo, 0, 0, 6, PI, 0.35 * PI);
+  cairo_set_line_width(cairo, 2);
+  cairo_stroke(cairo);
+  cairo_move_to(cairo, -10.5, -1);
+  cairo_line_to(cairo, -1.5, -1);
+  cairo_line_to(cairo, -6, 5);
+  cairo_fill(cairo);
+  cairo_restore(cairo);
+}
+
+/* The page's name, smaller where it would reach the mark. */
+static void paint_page(cairo_t *cairo, const char *page) {
+  const Box *const box = &BUTTONS[BUTTON_PAGE];
+  paint_button(cairo, BUTTON_PAGE, "", true);
+  ink(cairo);
+  if (!fits(cairo, page, box->width - 24)) cairo_set_font_size(cairo, SMALL_TEXT);
+  paint_text_in(cairo, box->x + 6, box->y + 18, box->width - 24, page);
+  cairo_set_font_size(cairo, USUAL_TEXT);
+  paint_mark(cairo, BUTTON_PAGE);
+}
+
+void paint_frame(cairo_t *cairo, const Frame *frame) {
   paint_button(cairo, BUTTON_BEFORE, "<", true);
   paint_button(cairo, BUTTON_NEXT, ">", true);
   paint_button(cairo, BUTTON_SOUNDS, "", true);
-  paint_button(cairo, BUTTON_COMPARE, is_second ? "A / [B]" : "[A] / B", true);
-  paint_button(cairo, BUTTON_UNDO, "Undo", can_undo);
-  for (uint32_t side = 0; side < 2; side++) paint_meter(cairo, side, peaks[side]);
-  paint_title(cairo, title);
-  paint_mark(cairo);
+  paint_button(cairo, BUTTON_COMPARE, frame->is_second ? "A / [B]" : "[A] / B", true);
+  paint_turn(cairo, BUTTON_UNDO, true, frame->can_undo);
+  paint_turn(cairo, BUTTON_REDO, false, frame->can_redo);
+  paint_page(cairo, frame->page);
+  for (uint32_t side = 0; side < 2; side++) paint_meter(cairo, side, frame->peaks[side]);
+  paint_title(cairo, frame->title);
+  paint_mark(cairo, BUTTON_SOUNDS);
+  cairo_set_font_size(cairo, USUAL_TEXT);
 }

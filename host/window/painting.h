@@ -13,7 +13,9 @@
 
 #define WINDOW_WIDTH 720 /**< [pixels] at scale 1 */
 #define WINDOW_HEIGHT 440
-#define WINDOW_TEXT 64 /**< bytes of a text, its end included */
+#define WINDOW_TEXT 64  /**< bytes of a text, its end included */
+#define USUAL_TEXT 13.0 /**< size of letters [pixels] */
+#define SMALL_TEXT 10.5 /**< of what explains */
 
 typedef struct Box {
   double x, y, width, height;
@@ -27,7 +29,8 @@ typedef enum Button {
   BUTTON_NEXT,
   BUTTON_COMPARE,
   BUTTON_UNDO,
-  BUTTON_PAGE,
+  BUTTON_REDO,
+  BUTTON_PAGE,   /**< the list of pages */
   BUTTON_SOUNDS, /**< the title: the list of sounds */
   BUTTON_COUNT
 } Button;
@@ -41,19 +44,34 @@ void field(cairo_t *cairo);
 void ink(cairo_t *cairo);
 void pale(cairo_t *cairo);
 void accent(cairo_t *cairo);
+void alarm(cairo_t *cairo);
 
 /** Empties the window, and sets scale and font. */
 void paint_paper(cairo_t *cairo, double scale);
 void paint_text(cairo_t *cairo, double x, double y, Align align, const char *text);
+/** From @p x on, cut where @p room ends. */
+void paint_text_in(cairo_t *cairo, double x, double y, double room, const char *text);
+/** In lines around @p x, at most @p room wide, the first at @p y; what is too long is cut. */
+void paint_lines(cairo_t *cairo, double x, double y, double room, uint32_t most, const char *text);
 void paint_box(cairo_t *cairo, const Box *box);
+/** A frame around what the keys act on. */
+void paint_focus(cairo_t *cairo, const Box *box);
+/** A small square with a letter, as of a mixer's row; lit while it acts. */
+void paint_switch(cairo_t *cairo, const Box *box, const char *letter, bool is_lit);
 /** The part of a control's way up to @p position. */
 void paint_way(cairo_t *cairo, const Box *way, double position);
 void paint_button(cairo_t *cairo, Button button, const char *text, bool lit);
 /** The button at a place, or BUTTON_COUNT. */
 Button button_at(double x, double y);
-/** Title, the buttons of all windows and the meters of two sides, whose peaks are 1 at full scale.
- */
-void paint_frame(cairo_t *cairo, const char *title, bool is_second, bool can_undo,
-                 const double peaks[2]);
+/** What stands in the frame of all windows. */
+typedef struct Frame {
+  const char *title, *page; /**< of the sound, and of the controls */
+  bool is_second;           /**< the second of two settings plays */
+  bool can_undo, can_redo;
+  double peaks[2]; /**< of two sides, 1 at full scale */
+} Frame;
+
+/** Title, buttons and meters. */
+void paint_frame(cairo_t *cairo, const Frame *frame);
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "window/plugin_window.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 #include "window/picture.h"
@@ -15,16 +14,18 @@ PluginWindow *plugin_window_create(const PluginWindowShell *shell) {
   PluginWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->shell = *shell;
-  window->history = (History){.size = sizeof(InstrumentSetting),
+  window->history = (History){.size = sizeof(WindowSetting),
                               .context = window,
                               .note = plugin_window_note,
-                              .use = plugin_window_use};
+                              .use = plugin_window_use,
+                              .drop = plugin_window_forget};
+  window->pages.kind = shell->instrument->kind;
   window->scene.is_kit = shell->instrument->kind->id == INSTRUMENT_KIT;
   window->scene.speed = FIRST_SPEED;
   window->scene.mic = WINDOW_NO_MIC;
-  window->shown = NAN;
-  if (window->scene.is_kit) window->kit = calloc(1, sizeof *window->kit);
-  if ((window->scene.is_kit && !window->kit) || !history_begin(&window->history)) {
+  window->scene.focus = window->scene.typed_at = WINDOW_NO_CONTROL;
+  window->definition = calloc(1, sizeof *window->definition);
+  if (!window->definition || !history_begin(&window->history)) {
     plugin_window_destroy(window);
     return NULL;
   }
@@ -37,7 +38,8 @@ void plugin_window_destroy(PluginWindow *window) {
   if (!window) return;
   plugin_window_close(window);
   history_end(&window->history);
-  free(window->kit);
+  control_pages_end(&window->pages);
+  free(window->definition);
   free(window);
 }
 
@@ -73,7 +75,9 @@ bool plugin_window_open(PluginWindow *window, unsigned long parent) {
                               .press = plugin_window_press,
                               .drag = plugin_window_drag,
                               .release = plugin_window_release,
-                              .scroll = plugin_window_scroll};
+                              .hover = plugin_window_hover,
+                              .scroll = plugin_window_scroll,
+                              .key = plugin_window_key};
   if (window->outside) return false;
   window->outside = x11_window_create(parent, window->width, window->height, &handler);
   if (!window->outside) return false;

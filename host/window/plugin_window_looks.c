@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT */
 #include <math.h>
 #include <sched.h>
+#include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "plugin/drum_instrument.h"
+#include "plugin/key_text.h"
+#include "plugin/key_way.h"
 #include "plugin/kit_instrument.h"
 #include "plugin/kit_knobs.h"
 #include "plugin/knob_text.h"
@@ -21,18 +25,40 @@ static float value_of(const PluginWindow *window, uint32_t id) {
 
 /* ---- settings ------------------------------------------------------------------------------- */
 
-void plugin_window_note(void *context, void *noted) {
-  const PluginWindow *const window = context;
-  InstrumentSetting *const setting = noted;
+static void note_setting(const PluginWindow *window, InstrumentSetting *setting) {
   instrument_note(instrument_of(window), setting);
   for (uint32_t i = 0; i < instrument_of(window)->kind->knob_count; i++)
     setting->values[i] = value_of(window, i);
 }
 
-void plugin_window_use(void *context, const void *setting) {
+void plugin_window_note(void *context, void *noted) {
+  const PluginWindow *const window = context;
+  WindowSetting *const setting = noted;
+  note_setting(window, &setting->setting);
+  if (window->scene.is_kit) setting->text = own_kit_text(kit_instrument_own(instrument_of(window)));
+}
+
+void plugin_window_use(void *context, const void *used) {
   PluginWindow *const window = context;
-  window->shell.use(window->shell.shell, setting);
+  const InstrumentCalls *const calls = instrument_of(window)->kind->calls;
+  const WindowSetting *const setting = used;
+  InstrumentSetting taken = setting->setting;
+  char message[INSTRUMENT_MESSAGE];
+  if (setting->text)
+    (void)calls->read(instrument_of(window), setting->text, strlen(setting->text), &taken, message);
+  window->shell.use(window->shell.shell, &taken);
+  *window->turned = '\0';
   plugin_window_note_looks(window);
+}
+
+void plugin_window_forget(void *setting) { free(((WindowSetting *)setting)->text); }
+
+void plugin_window_say(PluginWindow *window, bool is_alarm, const char *format, ...) {
+  va_list values;
+  va_start(values, format);
+  (void)vsnprintf(window->scene.message, sizeof window->scene.message, format, values);
+  va_end(values);
+  window->scene.is_alarm = is_alarm;
 }
 
 /* ---- one drum ------------------------------------------------------------------------------- */
@@ -68,12 +94,10 @@ void plugin_window_lend_view(PluginWindow *window) {
   window->view = NULL;
 }
 
-static void note_drum(PluginWindow *window) {
+static void note_drum(PluginWindow *window, const InstrumentSetting *setting) {
   const Instrument *const instrument = instrument_of(window);
+  const TaborDrumDef *const def = &setting->def;
   WindowScene *const scene = &window->scene;
-  InstrumentSetting setting;
-  const TaborDrumDef *const def = &setting.def;
-  instrument_note(instrument_of(window), &setting);
   memcpy(scene->title, def->name, sizeof scene->title);
   scene->radius = def->shell.radius;
   scene->depth = def->two_headed ? def->shell.depth : 0;
@@ -84,7 +108,7 @@ static void note_drum(PluginWindow *window) {
     memcpy(scene->mics[i].name, mic->name, sizeof mic->name);
   }
   for (uint32_t i = 0; i < instrument->kind->knob_count; i++)
-    window->is_idle[i] = !instrument->kind->calls->has_part(&setting, i);
+    window->is_idle[i] = !instrument->kind->calls->has_part(setting, i);
 }
 
 /* A microphone that is held is where the mouse has it. */
@@ -109,20 +133,12 @@ static void note_kit_drum(const TaborKitDrumDef *drum, WindowDrum *shown) {
   memcpy(shown->name, drum->name, sizeof shown->name);
 }
 
-/* Where drums stand depends on the kit alone. */
 static void note_kit(PluginWindow *window) {
-  OwnKit *const own = kit_instrument_own(instrument_of(window));
-  const float knob = value_of(window, KIT_KNOB_KIT);
-  const unsigned version = own_kit_version(own);
+  const TaborKitDef *const kit = &window->definition->kit;
   WindowScene *const scene = &window->scene;
-  if (knob == window->shown && version == window->own_version) return;
-  window->shown = knob;
-  window->own_version = version;
-  (void)kit_knob_kit(knob, own, window->kit, NULL); /* built-in ones are there */
-  memcpy(scene->title, window->kit->name, sizeof scene->title);
-  scene->drum_count = window->kit->drum_count;
-  for (uint32_t i = 0; i < scene->drum_count; i++)
-    note_kit_drum(&window->kit->drum[i], &scene->drums[i]);
+  memcpy(scene->title, kit->name, sizeof scene->title);
+  scene->drum_count = kit->drum_count;
+  for (uint32_t i = 0; i < scene->drum_count; i++) note_kit_drum(&kit->drum[i], &scene->drums[i]);
   for (uint32_t i = 0; i < KIT_KNOB_DRUMS; i++)
     window->is_idle[KIT_KNOB_LEVEL + i] = window->is_idle[KIT_KNOB_TUNE + i] =
       i >= scene->drum_count;
@@ -130,7 +146,6 @@ static void note_kit(PluginWindow *window) {
 
 static void look_at_kit(PluginWindow *window) {
   WindowLink *const link = &instrument_of(window)->window;
-  note_kit(window);
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
     const double lit = fmin((double)atomic_exchange(&link->struck[i], 0) / BRIGHT, 1);
     window->scene.glow[i] = fmax(METER_FALL * window->scene.glow[i], lit);
@@ -139,63 +154,126 @@ static void look_at_kit(PluginWindow *window) {
 
 /* ---- controls ------------------------------------------------------------------------------- */
 
-const KnobPage *plugin_window_page(const PluginWindow *window) {
-  return instrument_page(instrument_of(window)->kind, window->page);
-}
-
-uint32_t plugin_window_knob(const PluginWindow *window, uint32_t control) {
-  return instrument_knob_on_page(instrument_of(window)->kind, plugin_window_page(window), control);
-}
-
 /* A control of a kit's drum has the drum's name. */
 static const char *name_of(const PluginWindow *window, uint32_t id) {
   const WindowScene *const scene = &window->scene;
   const uint32_t drum = (id - KIT_KNOB_LEVEL) % KIT_KNOB_DRUMS;
-  const bool is_of_drum = scene->is_kit && id >= KIT_KNOB_LEVEL && drum < scene->drum_count;
+  const bool is_of_drum = scene->is_kit && id >= KIT_KNOB_LEVEL && drum < scene->drum_count &&
+                          id < KIT_KNOB_TUNE + KIT_KNOB_DRUMS;
   return is_of_drum ? scene->drums[drum].name : instrument_of(window)->kind->knobs[id].name;
 }
 
-static void show_control(const PluginWindow *window, uint32_t id, WindowControl *shown) {
-  const Knob *const knob = &instrument_of(window)->kind->knobs[id];
+static void show_knob(PluginWindow *window, uint32_t id, WindowControl *shown) {
+  const InstrumentKind *const kind = instrument_of(window)->kind;
+  const Knob *const knob = &kind->knobs[id];
   const KnobRange *const range = &instrument_of(window)->ranges[id];
-  const double now = knob_decimal(value_of(window, id));
-  *shown = (WindowControl){
-    .knob = id, .position = knob_position(range, now), .is_idle = window->is_idle[id]};
+  const float value = value_of(window, id);
+  const double now = knob_decimal(value);
+  if (knob->is_level) mixer_note(&window->mixer, kind, id, value);
+  *shown = (WindowControl){.knob = id,
+                           .comment = knob->comment,
+                           .position = knob_position(range, now),
+                           .is_idle = window->is_idle[id],
+                           .is_level = knob->is_level,
+                           .is_mute = window->mixer.is_mute[id],
+                           .is_solo = window->mixer.is_solo[id]};
   (void)snprintf(shown->name, WINDOW_TEXT, "%s", name_of(window, id));
   (void)knob_label(knob, range, now, shown->value, WINDOW_TEXT);
   if (shown->is_idle) (void)snprintf(shown->value, WINDOW_TEXT, "-");
 }
 
-/* ---- all ------------------------------------------------------------------------------------ */
-
-void plugin_window_note_looks(PluginWindow *window) {
-  if (window->scene.is_kit) {
-    note_kit(window);
+/* "drum.snare.batter.surface_density" is "surface density"; its row is the one of
+ * "batter.surface_density". */
+static void show_key(const PluginWindow *window, const char *key, WindowControl *shown) {
+  char value[DEFINITION_VALUE] = "";
+  const char *const dot = strrchr(key, '.'), *own = key;
+  if (window->definition->is_kit && strncmp(key, "drum.", 5) == 0) own = strchr(key + 5, '.') + 1;
+  (void)definition_get(window->definition, key, value);
+  *shown = (WindowControl){.is_key = true, .parameter = tabor_parameter_find(own)};
+  shown->comment = shown->parameter ? shown->parameter->text : NULL;
+  shown->position = shown->parameter ? key_position(shown->parameter, value) : -1;
+  (void)snprintf(shown->key, sizeof shown->key, "%s", key);
+  (void)snprintf(shown->name, WINDOW_TEXT, "%s", dot ? dot + 1 : key);
+  for (char *mark = strchr(shown->name, '_'); mark; mark = strchr(mark, '_')) *mark = ' ';
+  if (shown->parameter) {
+    (void)key_text(shown->parameter, value, shown->value, WINDOW_TEXT);
   } else {
-    note_drum(window);
+    (void)snprintf(shown->value, WINDOW_TEXT, "%.*s", WINDOW_TEXT - 1, value);
   }
 }
 
-void plugin_window_look(PluginWindow *window) {
+static void show_controls(PluginWindow *window) {
+  WindowScene *const scene = &window->scene;
+  const InstrumentKind *const kind = instrument_of(window)->kind;
+  const KnobPage *const page = control_pages_knobs(&window->pages);
+  const char *key;
+  uint32_t id;
+  scene->control_count = 0;
+  for (uint32_t i = 0; page && (id = instrument_knob_on_page(kind, page, i)) < kind->knob_count;
+       i++) {
+    if (scene->is_kit && window->is_idle[id]) continue; /* of drums beyond the kit's */
+    show_knob(window, id, &scene->controls[scene->control_count++]);
+  }
+  for (uint32_t i = 0; (key = control_pages_key(&window->pages, i)); i++)
+    show_key(window, key, &scene->controls[scene->control_count++]);
+  for (uint32_t i = 0; window->is_dragging && window->dragged.is_key && i < scene->control_count;
+       i++) {
+    if (strcmp(scene->controls[i].key, window->dragged.key) == 0)
+      scene->controls[i] = window->dragged;
+  }
+}
+
+/* ---- all ------------------------------------------------------------------------------------ */
+
+static unsigned own_version(const PluginWindow *window) {
+  return window->scene.is_kit ? own_kit_version(kit_instrument_own(instrument_of(window))) : 0;
+}
+
+void plugin_window_note_looks(PluginWindow *window) {
+  const Instrument *const instrument = instrument_of(window);
+  InstrumentSetting setting;
+  note_setting(window, &setting);
+  memcpy(window->defined, setting.values, sizeof window->defined);
+  window->own_version = own_version(window);
+  (void)instrument->kind->calls->define(instrument_of(window), &setting, window->definition);
+  (void)control_pages_fill(&window->pages, window->definition);
+  if (window->scene.is_kit) {
+    note_kit(window);
+  } else {
+    note_drum(window, &setting);
+  }
+}
+
+/* A knob has moved, or another kit was loaded. */
+static bool has_changed(const PluginWindow *window) {
+  if (window->own_version != own_version(window)) return true;
+  for (uint32_t i = 0; i < instrument_of(window)->kind->knob_count; i++)
+    if (window->defined[i] != value_of(window, i)) return true;
+  return false;
+}
+
+static void show_frame(PluginWindow *window) {
   WindowScene *const scene = &window->scene;
   WindowLink *const link = &instrument_of(window)->window;
-  uint32_t id;
-  if (scene->is_kit) {
-    look_at_kit(window);
-  } else {
-    look_at_drum(window);
-  }
   scene->is_second = window->history.is_second;
-  scene->can_undo = window->history.count > 0;
-  (void)snprintf(scene->page, sizeof scene->page, "%s", plugin_window_page(window)->name);
+  scene->can_undo = history_undo_name(&window->history) != NULL;
+  scene->can_redo = history_redo_name(&window->history) != NULL;
+  scene->page = control_pages_name(&window->pages);
+  scene->marked = window->listed == LIST_PAGES ? scene->page : scene->title;
+  scene->typed = window->typing == TYPING_NOTHING ? NULL : &window->editor;
   for (uint32_t side = 0; side < 2; side++) {
     const double peak = (double)atomic_exchange(&link->peaks[side], 0);
     scene->meters[side] = fmax(METER_FALL * scene->meters[side], peak);
   }
-  scene->control_count = 0;
-  for (uint32_t i = 0;
-       (id = plugin_window_knob(window, i)) < instrument_of(window)->kind->knob_count; i++) {
-    if (scene->is_kit && window->is_idle[id]) continue; /* of drums beyond the kit's */
-    show_control(window, id, &scene->controls[scene->control_count++]);
+}
+
+void plugin_window_look(PluginWindow *window) {
+  if (has_changed(window)) plugin_window_note_looks(window);
+  if (window->scene.is_kit) {
+    look_at_kit(window);
+  } else {
+    look_at_drum(window);
   }
+  show_frame(window);
+  show_controls(window);
 }

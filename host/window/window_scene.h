@@ -7,19 +7,29 @@
 #ifndef TABOR_WINDOW_WINDOW_SCENE_H
 #define TABOR_WINDOW_WINDOW_SCENE_H
 
+#include "base/line_editor.h"
+#include "plugin/definition.h"
 #include "plugin/knob.h"
+#include "window/list_view.h"
 #include "window/painting.h"
-#include "window/sound_list.h"
 
 #include <tabor/kit.h>
 
 #define WINDOW_NO_MIC UINT32_MAX
+#define WINDOW_NO_CONTROL UINT32_MAX
+#define WINDOW_MESSAGE 512 /**< bytes of a message */
 
+/** A row: a knob of the instrument, or a parameter of its definition. */
 typedef struct WindowControl {
-  uint32_t knob;
+  bool is_key;                     /**< a parameter */
+  uint32_t knob;                   /**< unless it is one */
+  char key[DEFINITION_KEY];        /**< of a parameter */
+  const TaborParameter *parameter; /**< its row, or NULL */
   char name[WINDOW_TEXT], value[WINDOW_TEXT];
-  double position; /**< part of its way, 0 to 1 */
-  bool is_idle;    /**< of a part that is not there: it cannot be turned */
+  const char *comment;             /**< what it does */
+  double position;                 /**< part of its way, 0 to 1; negative: it has none, as a text */
+  bool is_idle;                    /**< of a part that is not there: it cannot be turned */
+  bool is_level, is_mute, is_solo; /**< of a mixer */
 } WindowControl;
 
 /** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
@@ -38,9 +48,15 @@ typedef struct WindowDrum {
 typedef struct WindowScene {
   char title[TABOR_NAME_SIZE]; /**< name of the drum or kit */
   bool is_second;              /**< of two settings to compare the second plays */
-  bool can_undo;
-  const SoundList *sounds; /**< the list of sounds, in place of the controls; NULL: it is closed */
-  char page[WINDOW_TEXT];  /**< name of the page of controls */
+  bool can_undo, can_redo;
+  const ListView *list;    /**< in place of the controls; NULL: it is closed */
+  const char *marked;      /**< name of the marked entry of the list */
+  const char *page;        /**< name of the page of controls */
+  uint32_t focus;          /**< the control on which keys act, or WINDOW_NO_CONTROL */
+  uint32_t typed_at;       /**< the control whose value is typed, or WINDOW_NO_CONTROL */
+  const LineEditor *typed; /**< what is typed: a value, or the answer to `message`; NULL: nothing */
+  char message[WINDOW_MESSAGE]; /**< a line for the user */
+  bool is_alarm;                /**< it says what is wrong */
   uint32_t control_count;
   WindowControl controls[KNOB_PAGE];
   double meters[2];             /**< of each side, 1: full scale */
@@ -66,16 +82,20 @@ typedef enum WindowPart {
   WINDOW_DRUM,
   WINDOW_MIC,
   WINDOW_BUTTON,
-  WINDOW_SOUNDS,
-  WINDOW_CONTROL
+  WINDOW_LIST,
+  WINDOW_CONTROL, /**< its way, or its name */
+  WINDOW_VALUE,   /**< a control's value, which can be typed */
+  WINDOW_MUTE,
+  WINDOW_SOLO
 } WindowPart;
 
 /** What lies at a pixel. */
 typedef struct WindowPlace {
   WindowPart part;
   Button button;
-  uint32_t number;        /**< of the drum, the microphone, or the control */
-  const SoundLine *sound; /**< in the list; NULL: none */
+  uint32_t number;      /**< of the drum, the microphone, or the control */
+  const ListLine *line; /**< in the list; NULL: none */
+  bool is_star;         /**< of the line */
   double radius,
     angle; /**< on a drum: a part of the head's, or negative where no head is seen; [deg] */
 } WindowPlace;

@@ -4,15 +4,20 @@
 #include <cairo-xcb.h>
 #include <stdlib.h>
 
+#include "window/x11_keyboard.h"
+
 enum { LEFT = 1, UP = 4, DOWN = 5 }; /* buttons of X11 */
+enum { SOON = 400, NEAR = 4 };       /* [ms], [pixels] of two presses that are one double click */
 
 struct X11Window {
   X11Handler handler;
   xcb_connection_t *connection;
   xcb_window_t id;
   cairo_surface_t *surface;
+  X11Keyboard *keyboard; /* NULL: keys mean nothing */
   uint32_t width, height;
   bool shown, held;
+  xcb_button_press_event_t pressed; /* the last one, unless it was the second of two */
 };
 
 static xcb_screen_t *first_screen(xcb_connection_t *connection, int number) {
@@ -44,9 +49,11 @@ static bool open_window(X11Window *window, unsigned long parent) {
   const uint32_t colors = xcb_generate_id(window->connection);
   xcb_create_colormap(window->connection, XCB_COLORMAP_ALLOC_NONE, colors, screen->root,
                       visual->visual_id);
-  const uint32_t values[] = {
-    0, XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE | XCB_EVENT_MASK_BUTTON_MOTION,
-    colors};
+  const uint32_t values[] = {0,
+                             XCB_EVENT_MASK_BUTTON_PRESS | XCB_EVENT_MASK_BUTTON_RELEASE |
+                               XCB_EVENT_MASK_POINTER_MOTION | XCB_EVENT_MASK_LEAVE_WINDOW |
+                               XCB_EVENT_MASK_KEY_PRESS,
+                             colors};
   window->id = xcb_generate_id(window->connection);
   const xcb_void_cookie_t made = xcb_create_window_checked(
     window->connection, screen->root_depth, window->id, (xcb_window_t)parent, 0, 0,
@@ -56,6 +63,7 @@ static bool open_window(X11Window *window, unsigned long parent) {
   const bool is_made = error == NULL; /* not without such an outer window */
   free(error);
   if (!is_made) return false;
+  window->keyboard = x11_keyboard_create(window->connection);
   window->surface = cairo_xcb_surface_create(window->connection, window->id, visual,
                                              (int)window->width, (int)window->height);
   xcb_flush(window->connection);
@@ -86,6 +94,7 @@ void x11_window_destroy(X11Window *window) {
     cairo_device_destroy(device);
     xcb_destroy_window(window->connection, window->id);
   }
+  x11_keyboard_destroy(window->keyboard);
   xcb_disconnect(window->connection);
   free(window);
 }
@@ -112,14 +121,41 @@ void x11_window_resize(X11Window *window, uint32_t width, uint32_t height) {
   xcb_flush(window->connection);
 }
 
+/* Whether it is the second of two; it is then no first one of the next two. */
+static bool is_second(X11Window *window, const xcb_button_press_event_t *event) {
+  const xcb_button_press_event_t *const before = &window->pressed;
+  const bool is_near =
+    abs(event->event_x - before->event_x) <= NEAR && abs(event->event_y - before->event_y) <= NEAR;
+  const bool is_again = before->response_type != 0 && is_near && event->time - before->time <= SOON;
+  window->pressed = is_again ? (xcb_button_press_event_t){0} : *event;
+  return is_again;
+}
+
+static X11Touch touch_of(uint16_t state) {
+  return (X11Touch){.is_fine = (state & XCB_MOD_MASK_SHIFT) != 0};
+}
+
+/* A click asks for the keys, which a host's own window has at first. */
 static void take_press(X11Window *window, const xcb_button_press_event_t *event) {
   const X11Handler *const handler = &window->handler;
   const double x = event->event_x, y = event->event_y;
+  X11Touch touch = touch_of(event->state);
   if (event->detail == UP || event->detail == DOWN) {
-    handler->scroll(handler->context, x, y, event->detail == UP ? 1 : -1);
+    handler->scroll(handler->context, x, y, event->detail == UP ? 1 : -1, touch);
   } else if (event->detail == LEFT) {
+    (void)xcb_set_input_focus(window->connection, XCB_INPUT_FOCUS_PARENT, window->id, event->time);
     window->held = true;
-    handler->press(handler->context, x, y);
+    touch.is_again = is_second(window, event);
+    handler->press(handler->context, x, y, touch);
+  }
+}
+
+static void take_motion(const X11Window *window, const xcb_motion_notify_event_t *event) {
+  const X11Handler *const handler = &window->handler;
+  if (window->held) {
+    handler->drag(handler->context, event->event_x, event->event_y, touch_of(event->state));
+  } else {
+    handler->hover(handler->context, event->event_x, event->event_y);
   }
 }
 
@@ -133,12 +169,17 @@ static void take_event(X11Window *window, const xcb_generic_event_t *event) {
       handler->release(handler->context);
     }
     break;
-  case XCB_MOTION_NOTIFY:
-    if (window->held) {
-      const xcb_motion_notify_event_t *const moved = (const xcb_motion_notify_event_t *)event;
-      handler->drag(handler->context, moved->event_x, moved->event_y);
-    }
+  case XCB_MOTION_NOTIFY: take_motion(window, (const xcb_motion_notify_event_t *)event); break;
+  case XCB_LEAVE_NOTIFY:
+    if (!window->held) handler->hover(handler->context, -1, -1);
     break;
+  case XCB_KEY_PRESS: {
+    const xcb_key_press_event_t *const pressed = (const xcb_key_press_event_t *)event;
+    const Key key = x11_keyboard_key(window->keyboard, pressed);
+    if (key != KEY_UNKNOWN)
+      handler->key(handler->context, key, (pressed->state & XCB_MOD_MASK_SHIFT) != 0);
+    break;
+  }
   default: break;
   }
 }

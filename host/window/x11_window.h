@@ -14,14 +14,25 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "base/keys.h"
+
+/** How a place is touched. */
+typedef struct X11Touch {
+  bool is_fine;  /**< Shift is held: by small steps */
+  bool is_again; /**< the second of two quick presses at one place */
+} X11Touch;
+
 /** What happens in a window. Places are in pixels of the window, from its upper left corner. */
 typedef struct X11Handler {
   void *context;
   void (*draw)(void *context, cairo_t *cairo, uint32_t width, uint32_t height);
-  void (*press)(void *context, double x, double y);
-  void (*drag)(void *context, double x, double y); /**< while the button is held */
+  void (*press)(void *context, double x, double y, X11Touch touch);
+  void (*drag)(void *context, double x, double y, X11Touch touch); /**< while the button is held */
   void (*release)(void *context);
-  void (*scroll)(void *context, double x, double y, int steps); /**< up: 1, down: -1 */
+  void (*hover)(void *context, double x, double y); /**< no button is held; negative: it has left */
+  void (*scroll)(void *context, double x, double y, int steps,
+                 X11Touch touch); /**< up: 1, down: -1 */
+  void (*key)(void *context, Key key, bool has_shift);
 } X11Handler;
 
 typedef struct X11Window X11Window;

@@ -65,6 +65,32 @@ void click(const Opened *opened, int x, int y) {
   tick(opened);
 }
 
+void double_click(const Opened *opened, int x, int y) {
+  x11_server_double_click(&server, opened->inner, x, y);
+  tick(opened);
+}
+
+void wheel(const Opened *opened, int x, int y, int steps) {
+  x11_server_wheel(&server, opened->inner, x, y, steps);
+  tick(opened);
+}
+
+void press_key(const Opened *opened, const char *name) {
+  x11_server_key(&server, opened->inner, name, 0);
+  tick(opened);
+}
+
+/* Keysyms of digits and letters are called as they are. */
+void type_text(const Opened *opened, const char *text) {
+  for (; *text; text++) {
+    const char *const name = *text == '.'   ? "period"
+                             : *text == '-' ? "minus"
+                             : *text == ' ' ? "space"
+                                            : NULL;
+    press_key(opened, name ? name : (const char[]){*text, '\0'});
+  }
+}
+
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
   x11_server_drag(&server, opened->inner, x, y, to_x, to_y);
   tick(opened);

@@ -30,6 +30,13 @@ void close_host(Opened *opened);
 /** A look of the window at what has happened, as the host's timer brings it. */
 void tick(const Opened *opened);
 void click(const Opened *opened, int x, int y);
+void double_click(const Opened *opened, int x, int y);
+/** The wheel, up with positive @p steps. */
+void wheel(const Opened *opened, int x, int y, int steps);
+/** Presses a key (x11_server_key()), without modifiers. */
+void press_key(const Opened *opened, const char *name);
+/** Types letters and digits. */
+void type_text(const Opened *opened, const char *text);
 /** Presses at one place and lets go at the other. */
 void drag(const Opened *opened, int x, int y, int to_x, int to_y);
 

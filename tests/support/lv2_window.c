@@ -124,6 +124,11 @@ void click(const Opened *opened, int x, int y) {
   tick(opened);
 }
 
+void wheel(const Opened *opened, int x, int y, int steps) {
+  x11_server_wheel(&server, opened->inner, x, y, steps);
+  tick(opened);
+}
+
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
   x11_server_drag(&server, opened->inner, x, y, to_x, to_y);
   tick(opened);

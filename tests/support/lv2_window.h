@@ -40,6 +40,8 @@ void check_openings(PluginHost *host);
 /** A look of the window at what has happened, as the host's idle call brings it. */
 void tick(const Opened *opened);
 void click(const Opened *opened, int x, int y);
+/** The wheel, up with positive @p steps. */
+void wheel(const Opened *opened, int x, int y, int steps);
 /** Presses at one place and lets go at the other. */
 void drag(const Opened *opened, int x, int y, int to_x, int to_y);
 /** As a host: a port that the window turns. */

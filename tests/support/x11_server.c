@@ -11,6 +11,7 @@
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
+#include <xkbcommon/xkbcommon.h>
 
 #include <cmocka.h>
 
@@ -104,6 +105,7 @@ void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint
     char bytes[32];
   } sent = {.event = {.response_type = type,
                       .detail = button,
+                      .time = server->time,
                       .root = server->screen->root,
                       .event = window,
                       .event_x = (int16_t)x,
@@ -114,8 +116,54 @@ void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint
 }
 
 void x11_server_click(X11Server *server, xcb_window_t window, int x, int y) {
+  server->time += 1000;
   x11_server_point(server, window, XCB_BUTTON_PRESS, 1, x, y);
   x11_server_point(server, window, XCB_BUTTON_RELEASE, 1, x, y);
+}
+
+void x11_server_wheel(X11Server *server, xcb_window_t window, int x, int y, int steps) {
+  for (int i = 0; i < abs(steps); i++)
+    x11_server_point(server, window, XCB_BUTTON_PRESS, steps > 0 ? 4 : 5, x, y);
+}
+
+void x11_server_double_click(X11Server *server, xcb_window_t window, int x, int y) {
+  x11_server_click(server, window, x, y);
+  server->time += 100 - 1000;
+  x11_server_click(server, window, x, y);
+}
+
+/* The code of the key that has the symbol on its first or second level. */
+static xcb_keycode_t code_of(X11Server *server, xcb_keysym_t symbol) {
+  const xcb_setup_t *const setup = xcb_get_setup(server->connection);
+  const uint8_t count = (uint8_t)(setup->max_keycode - setup->min_keycode + 1);
+  xcb_get_keyboard_mapping_reply_t *const mapping = xcb_get_keyboard_mapping_reply(
+    server->connection, xcb_get_keyboard_mapping(server->connection, setup->min_keycode, count),
+    NULL);
+  assert_non_null(mapping);
+  const xcb_keysym_t *const symbols = xcb_get_keyboard_mapping_keysyms(mapping);
+  const int length = xcb_get_keyboard_mapping_keysyms_length(mapping);
+  int at = 0;
+  while (at < length && (symbols[at] != symbol || at % mapping->keysyms_per_keycode > 1)) at++;
+  assert_true(at < length);
+  const int code = setup->min_keycode + at / mapping->keysyms_per_keycode;
+  free(mapping);
+  return (xcb_keycode_t)code;
+}
+
+void x11_server_key(X11Server *server, xcb_window_t window, const char *name, uint16_t state) {
+  const xcb_keysym_t symbol = xkb_keysym_from_name(name, XKB_KEYSYM_NO_FLAGS);
+  union {
+    xcb_key_press_event_t event;
+    char bytes[32];
+  } sent = {.event = {.response_type = XCB_KEY_PRESS,
+                      .detail = code_of(server, symbol),
+                      .time = server->time += 1000,
+                      .root = server->screen->root,
+                      .event = window,
+                      .state = state,
+                      .same_screen = 1}};
+  xcb_send_event(server->connection, false, window, 0, sent.bytes);
+  settle(server);
 }
 
 void x11_server_drag(X11Server *server, xcb_window_t window, int x, int y, int to_x, int to_y) {

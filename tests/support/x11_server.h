@@ -15,6 +15,7 @@ typedef struct X11Server {
   int process; /**< its id */
   xcb_connection_t *connection;
   xcb_screen_t *screen;
+  uint32_t time; /**< of the newest event [ms]: clicks are a second apart */
 } X11Server;
 
 /** Starts Xvfb and names it in $DISPLAY. False: there is no Xvfb. */
@@ -34,6 +35,13 @@ void x11_server_point(X11Server *server, xcb_window_t window, uint8_t type, uint
                       int y);
 /** Presses and lets go. */
 void x11_server_click(X11Server *server, xcb_window_t window, int x, int y);
+/** The wheel: up with positive @p steps. */
+void x11_server_wheel(X11Server *server, xcb_window_t window, int x, int y, int steps);
+/** Clicks twice within 100 ms. */
+void x11_server_double_click(X11Server *server, xcb_window_t window, int x, int y);
+/** Presses the key of a character or a name of keysyms, as "Return", with the modifiers @p state
+ * (XCB_MOD_MASK_SHIFT). It has to be in the first two levels of the server's layout. */
+void x11_server_key(X11Server *server, xcb_window_t window, const char *name, uint16_t state);
 /** Presses at one place and lets go at the other. */
 void x11_server_drag(X11Server *server, xcb_window_t window, int x, int y, int to_x, int to_y);
 /** The colour of a pixel, 0xRRGGBB. */

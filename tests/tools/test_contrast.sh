@@ -34,11 +34,13 @@ check_row() {
 }
 
 same "black on white" 21.0 "$(contrast 0 0 0 1 1 1)"
-while read -r words name; do
+while read -r line; do
+  name=${line##* } words=${line% *}
   check_row "window: $words" "$(of_window "$name")" "$(of_window paper)" "$(of_window field)"
 done <<<"text ink
 grey pale
-accent accent"
+accent accent
+what is wrong alarm"
 for scheme in light dark; do
   while read -r words name; do
     check_row "page, $scheme: $words" "$(of_page $scheme "$name")" "$(of_page $scheme ground)" "$(of_page $scheme panel)"

@@ -149,7 +149,7 @@ static void controls_turn_and_the_host_is_told(void **state) {
   assert_int_equal(host->gestures, 1);
   assert_int_equal(host->turns, 2);
   assert_int_equal(host->turned, level);
-  click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings */
+  wheel(&opened, KIT_PAGE_X, KIT_BUTTON_Y, -1); /* tunings */
   click(&opened, KIT_WAY_X + KIT_WAY / 4, y);
   assert_true(fabs(value_of(host, tune) + 6) < 0.051);
   click(&opened, KIT_UNDO_X, KIT_BUTTON_Y);
@@ -217,7 +217,7 @@ static void blocks_wait_for_nothing_while_it_is_open(void **state) {
   for (int i = 0; i < 40; i++) {
     click_on(&opened, (uint32_t)i % kit.drum_count);
     if (i % 5 == 0) click(&opened, KIT_WAY_X + 2 * i, KIT_FIRST_ROW);
-    if (i % 20 == 19) click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings, then the kit's */
+    if (i % 20 == 19) wheel(&opened, KIT_PAGE_X, KIT_BUTTON_Y, -1); /* tunings, then the kit's */
     count_calls_begin();
     clap_host_run(opened.host, 512);
     const long calls = count_calls_end();

@@ -214,7 +214,7 @@ static void every_microphone_has_a_level(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
   const double quarter = -60 + (12 + 60) / 4.0; /* [dB] */
-  for (int i = 0; i < 3; i++) click(&opened, PAGE_X, BUTTON_Y);
+  wheel(&opened, PAGE_X, BUTTON_Y, -3);
   for (int row = 0; row < 6; row++) {
     static const KnobId ids[] = {KNOB_LEVEL_PAIR, KNOB_LEVEL_TOP, KNOB_LEVEL_BOTTOM,
                                  KNOB_LEVEL_NEAR, KNOB_LEVEL_FAR, KNOB_LEVEL_INSIDE};
@@ -222,7 +222,7 @@ static void every_microphone_has_a_level(void **state) {
     assert_true(fabs(clap_host_value(opened.host, ids[row]) - quarter) < 0.5);
   }
   keep_picture(opened.outer, "levels");
-  click(&opened, PAGE_X, BUTTON_Y); /* the first page after the last */
+  wheel(&opened, PAGE_X, BUTTON_Y, 3);
   drag_row(&opened, 4);
   assert_true(fabs(clap_host_value(opened.host, KNOB_STRAINER) - 0.25) < 0.01);
   close_host(&opened);
@@ -232,7 +232,7 @@ static void a_microphone_that_the_drum_lacks_has_none(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM, 1);
   for (int i = 0; i < 4; i++) click(&opened, 434, 34); /* the frame drum, which has no shell */
-  for (int i = 0; i < 3; i++) click(&opened, PAGE_X, BUTTON_Y);
+  wheel(&opened, PAGE_X, BUTTON_Y, -3);
   const double before = clap_host_value(opened.host, KNOB_LEVEL_INSIDE);
   drag_row(&opened, 5);
   keep_picture(opened.outer, "no-level");
@@ -258,10 +258,10 @@ static void drums_of_the_user_follow(void **state) {
 }
 
 /* A click on the title opens the list at the drum that plays; a click on a line chooses that drum,
- * and the page button brings the controls back. */
+ * and another click on the title brings the controls back. */
 static void a_drum_is_chosen_from_the_list(void **state) {
   (void)state;
-  enum { TITLE_X = 550, TITLE_Y = 34, LIST_X = 500, LIST_Y = 60, LINE = 36, LINES = 9 };
+  enum { LINE = LIST_LINE, LINES = LIST_LINES };
   Opened opened = open_host(ID_DRUM, 1);
   ClapHost *const host = opened.host;
   const double usual = clap_host_value(host, KNOB_DRUM);
@@ -289,7 +289,7 @@ static void a_drum_is_chosen_from_the_list(void **state) {
   clap_host_save(host, &saved);
   saved.bytes[saved.size] = '\0';
   assert_non_null(strstr(saved.bytes, "name = mine"));
-  click(&opened, PAGE_X, BUTTON_Y);
+  click(&opened, TITLE_X, TITLE_Y);
   tick(&opened);
   keep_picture(opened.outer, "controls");
   click(&opened, CONTROL_X, GAIN_Y);

@@ -9,7 +9,7 @@ needs xvfb Xvfb
 needs xdotool xdotool
 needs jackd2 jack_rec
 : "${BUNDLE:?the bundle}"
-[ -e "$BUNDLE/tabor_ui.so" ] || skip "no cairo-xcb or xcb: needs libcairo2-dev libxcb1-dev"
+[ -e "$BUNDLE/tabor_ui.so" ] || skip "no cairo-xcb, xcb or xkbcommon-x11: needs libcairo2-dev libxcb1-dev libxkbcommon-x11-dev"
 # shellcheck source=tests/support/jack_server.sh
 . "$(dirname "$0")/../../support/jack_server.sh"
 export LV2_PATH=/usr/lib/lv2:${BUNDLE%/*} HOME=$private

@@ -106,7 +106,7 @@ static void runs_wait_for_nothing_while_it_is_open(void **state) {
   for (int i = 0; i < 40; i++) {
     click_on(&opened, (uint32_t)i % kit.drum_count);
     if (i % 5 == 0) click(&opened, KIT_WAY_X + 2 * i, KIT_FIRST_ROW);
-    if (i % 20 == 19) click(&opened, KIT_PAGE_X, KIT_BUTTON_Y); /* tunings, then the kit's */
+    if (i % 20 == 19) wheel(&opened, KIT_PAGE_X, KIT_BUTTON_Y, -1); /* tunings, then the kit's */
     count_calls_begin();
     opened.host->descriptor->run(opened.host->handle, 512);
     const long calls = count_calls_end();

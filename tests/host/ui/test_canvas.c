@@ -13,7 +13,7 @@
 
 #include <cmocka.h>
 
-#include "ui/keys.h"
+#include "base/keys.h"
 
 /* A terminal that knows the sequences which canvas.c uses, and fails at others. */
 typedef struct Terminal {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Keys from bytes, however these are divided, and their names. */
-#include "ui/keys.h"
+#include "base/keys.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Typing a line: moving, erasing, earlier lines, characters of several bytes. */
-#include "ui/line_editor.h"
+#include "base/line_editor.h"
 
 #include <setjmp.h>
 #include <stdarg.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "ui/keys.h"
+#include "base/keys.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT */
-#include "ui/line_editor.h"
+#include "base/line_editor.h"
 
 #include <stdio.h>
 #include <string.h>

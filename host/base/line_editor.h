@@ -10,7 +10,7 @@
 #ifndef TABOR_HOST_LINE_EDITOR_H
 #define TABOR_HOST_LINE_EDITOR_H
 
-#include "ui/keys.h"
+#include "base/keys.h"
 
 #define LINE_SIZE 200   /**< size of a line with its terminator [bytes] */
 #define LINE_HISTORY 50 /**< most lines kept */

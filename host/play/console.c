@@ -9,12 +9,12 @@
 #include <unistd.h>
 
 #include "base/interrupt.h"
+#include "base/keys.h"
+#include "base/line_editor.h"
 #include "drums/drum_args.h"
 #include "platform/clock.h"
 #include "platform/terminal.h"
 #include "play/controls.h"
-#include "base/keys.h"
-#include "base/line_editor.h"
 #include "ui/notices.h"
 #include "ui/play_log.h"
 #include "ui/screen.h"

@@ -13,8 +13,8 @@
 #ifndef TABOR_HOST_KEYMAP_H
 #define TABOR_HOST_KEYMAP_H
 
-#include "base/message.h"
 #include "base/keys.h"
+#include "base/message.h"
 
 typedef enum ActionKind {
   ACTION_NONE,

@@ -42,7 +42,7 @@ if(TARGET tabor-program)
                         test_system_play test_system_play_random
                         test_system_preset_files test_system_program test_system_replay test_system_requests
                         test_system_sound_input
-                        test_system_split test_system_stereo test_system_terminal)
+                        test_system_split test_system_stereo test_system_terminal test_system_variations)
     tabor_add_host_test(${name} ${${name}_ARGUMENTS})
   endforeach()
   if(TARGET man-page AND NOT TABOR_SANITIZE) # of texts

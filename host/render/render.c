@@ -85,6 +85,13 @@ static const char notes[] =
   "With -o FOLDER/ every PRESET becomes FOLDER/PRESET.wav; with --each, every PRESET plays every\n"
   "--events file by itself, which becomes FOLDER/PRESET-EVENTS.wav. The folder is created if its\n"
   "name ends in '/'. All other options go for every sound.\n"
+  "\n"
+  "--vary draws a value for each of --count sounds, FOLDER/PRESET-01.wav and so on: "
+  "batter.pitch=A3..D4,\n"
+  "strike.velocity=1..8, or from a list, strike.striker=stick,mallet; of a kit, "
+  "drum.snare.batter.pitch=A3..D4.\n"
+  "Values cover each range evenly; --seed draws others. FOLDER/variations.csv says what each sound "
+  "has.\n"
   "\n" PRESET_NOTES "'tabor show' lists the keys for --set.\n";
 
 const Command render_command = {

@@ -37,7 +37,8 @@ static Outcome take_folder(const char *path, RenderBatch *batch) {
 
 static Outcome read_folder(const Arguments *arguments, RenderBatch *batch) {
   const char *const path = arguments_value(arguments, "output");
-  const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each");
+  const bool several = arguments->operand_count > 1 || arguments_has(arguments, "each") ||
+                       arguments_has(arguments, "vary");
   if (!several && !(path && path_ends_with_separator(path))) return OUTCOME_OK;
   if (arguments_has(arguments, "replay")) {
     return refuse("--replay: gives one sound, whose file -o names; other drums need no log");
@@ -59,17 +60,28 @@ static PresetStem events_stem(const char *events) {
   return (PresetStem){base, (int)(dot && dot > base ? (size_t)(dot - base) : strlen(base))};
 }
 
-static Outcome name_job(const char *folder, const char *events, RenderJob *job) {
+/* "-007" of the seventh of several hundred. */
+static void write_number(const Variations *variations, size_t number, char *text, size_t size) {
+  const int digits = snprintf(NULL, 0, "%zu", variations->count);
+  *text = '\0';
+  if (variations->count > 0) (void)snprintf(text, size, "-%0*zu", digits, number + 1);
+}
+
+static Outcome name_job(const RenderBatch *batch, const char *events, size_t number,
+                        RenderJob *job) {
+  const char *const folder = batch->folder;
   const char *const kit = arguments_value(&job->arguments, "kit");
   const PresetStem preset = preset_stem(kit ? kit : preset_argument(&job->arguments));
   const PresetStem take = events_stem(events);
-  const size_t size =
-    strlen(folder) + (size_t)preset.length + (size_t)take.length + sizeof "-" EXTENSION;
+  char suffix[16];
+  write_number(&batch->variations, number, suffix, sizeof suffix);
+  const size_t size = strlen(folder) + (size_t)preset.length + (size_t)take.length +
+                      strlen(suffix) + sizeof "-" EXTENSION;
   job->name = malloc(size);
   job->output = malloc(size);
   if (!job->name || !job->output) return fail_memory();
-  (void)snprintf(job->name, size, "%s%.*s%s%.*s", folder, preset.length, preset.text,
-                 events ? "-" : "", take.length, take.text);
+  (void)snprintf(job->name, size, "%s%.*s%s%.*s%s", folder, preset.length, preset.text,
+                 events ? "-" : "", take.length, take.text, suffix);
   (void)snprintf(job->output, size, "%s" EXTENSION, job->name);
   arguments_replace(&job->arguments, "output", job->output);
   if (events) arguments_replace(&job->arguments, "events", events);
@@ -105,23 +117,36 @@ static size_t count_options(const Arguments *arguments, const char *name) {
 }
 
 static Outcome add_job(const Arguments *arguments, const char *preset, const char *events,
-                       RenderBatch *batch) {
+                       size_t number, RenderBatch *batch) {
   RenderJob *const job = &batch->jobs[batch->count++];
   render_request_clear(&job->request);
-  const Outcome outcome = arguments_copy(arguments, preset, &job->arguments);
+  Outcome outcome = arguments_copy(arguments, preset, &job->arguments);
   if (outcome != OUTCOME_OK || !batch->folder) return outcome;
-  return name_job(batch->folder, events, job);
+  if (batch->variations.count > 0)
+    outcome =
+      variations_apply(&batch->variations, number, render_options, &job->arguments, &job->settings);
+  return outcome == OUTCOME_OK ? name_job(batch, events, number, job) : outcome;
+}
+
+/* Of one preset and one file of strokes: one, or all variations. */
+static Outcome add_variations(const Arguments *arguments, const char *preset, const char *events,
+                              RenderBatch *batch) {
+  const size_t count = batch->variations.count > 0 ? batch->variations.count : 1;
+  Outcome outcome = OUTCOME_OK;
+  for (size_t i = 0; i < count && outcome == OUTCOME_OK; i++)
+    outcome = add_job(arguments, preset, events, i, batch);
+  return outcome;
 }
 
 /* Of one preset: one, or with --each one for each of its @p takes files. */
 static Outcome add_preset(const Arguments *arguments, const char *preset, size_t takes,
                           RenderBatch *batch) {
-  if (takes == 0) return add_job(arguments, preset, NULL, batch);
+  if (takes == 0) return add_variations(arguments, preset, NULL, batch);
   Outcome outcome = OUTCOME_OK;
   const char *events;
   size_t position = 0;
   while (outcome == OUTCOME_OK && (events = arguments_next(arguments, "events", &position))) {
-    outcome = add_job(arguments, preset, events, batch);
+    outcome = add_variations(arguments, preset, events, batch);
   }
   return outcome;
 }
@@ -129,7 +154,8 @@ static Outcome add_preset(const Arguments *arguments, const char *preset, size_t
 static Outcome make_jobs(const Arguments *arguments, RenderBatch *batch) {
   const size_t presets = arguments->operand_count > 0 ? arguments->operand_count : 1;
   const size_t takes = arguments_has(arguments, "each") ? count_options(arguments, "events") : 0;
-  const size_t most = presets * (takes > 0 ? takes : 1);
+  const size_t varied = batch->variations.count > 0 ? batch->variations.count : 1;
+  const size_t most = presets * (takes > 0 ? takes : 1) * varied;
   batch->jobs = calloc(most, sizeof *batch->jobs);
   if (!batch->jobs) return fail_memory();
   Outcome outcome = OUTCOME_OK;
@@ -227,6 +253,7 @@ static Outcome check_outputs(const RenderBatch *batch) {
 Outcome render_batch_read(const Arguments *arguments, RenderBatch *batch) {
   *batch = (RenderBatch){0};
   Outcome outcome = render_threads_read(arguments, &batch->threads);
+  if (outcome == OUTCOME_OK) outcome = variations_read(arguments, &batch->variations);
   if (outcome == OUTCOME_OK) outcome = read_folder(arguments, batch);
   if (outcome == OUTCOME_OK) outcome = make_jobs(arguments, batch);
   if (outcome == OUTCOME_OK && batch->folder) outcome = check_names(batch);
@@ -243,7 +270,9 @@ void render_batch_free(RenderBatch *batch) {
     arguments_free(&job->arguments);
     free(job->name);
     free(job->output);
+    free(job->settings);
   }
+  variations_free(&batch->variations);
   free(batch->jobs);
   free(batch->folder);
   *batch = (RenderBatch){0};

@@ -5,7 +5,8 @@
  * folder.
  *
  * Each PRESET gives a sound FOLDER/PRESET.wav; with --each, each pair of PRESET and --events file
- * gives FOLDER/PRESET-EVENTS.wav. All other options apply to every sound.
+ * gives FOLDER/PRESET-EVENTS.wav; with --vary, each gives as many as --count says,
+ * FOLDER/PRESET-007.wav and so on. All other options apply to every sound.
  */
 #ifndef TABOR_HOST_RENDER_BATCH_H
 #define TABOR_HOST_RENDER_BATCH_H
@@ -14,11 +15,13 @@
 #include <stdatomic.h>
 
 #include "render/render_request.h"
+#include "render/variations.h"
 
 /** One sound of a batch. */
 typedef struct RenderJob {
   char *name;            /**< "FOLDER/tom-12", or NULL if -o names the file */
   char *output;          /**< "FOLDER/tom-12.wav", or NULL */
+  char *settings;        /**< texts that the arguments lead to, or NULL */
   Arguments arguments;   /**< as if only this sound were requested */
   RenderRequest request; /**< parsed from the arguments */
   Outcome outcome;       /**< of the steps so far */
@@ -41,6 +44,7 @@ typedef struct RenderBatch {
   char *folder; /**< "FOLDER/", or NULL if -o names the file of the only sound */
   RenderJob *jobs;
   size_t count;
+  Variations variations;
   uint32_t threads;     /**< number of jobs to render at once, at least 1 */
   RenderJobFn *render;  /**< NULL: render_file() */
   RenderedFn *rendered; /**< or NULL */

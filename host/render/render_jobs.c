@@ -2,16 +2,22 @@
 #include "render/render_jobs.h"
 
 #include <pthread.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #include "base/folder.h"
 #include "base/json_output.h"
+#include "base/text_file.h"
 #include "drums/drum_args.h"
 #include "platform/clock.h"
+#include "platform/paths.h"
 #include "render/render_file.h"
 #include "render/render_options.h"
 #include "render/render_progress.h"
 
 #define PROGRESS_INTERVAL 0.2 /* [s] */
+#define TABLE "variations.csv"
+#define TABLE_VALUE 256 /* bytes of a value, a key or a name at most */
 
 /* Jobs while they are being done. */
 typedef struct Jobs {
@@ -124,6 +130,41 @@ static Outcome worst(const RenderBatch *batch) {
   return outcome;
 }
 
+/* What each sound was made with, a row a sound: it can be heard again by --set. */
+static void write_rows(const RenderBatch *batch, char *text, size_t size) {
+  const Variations *const variations = &batch->variations;
+  size_t length = (size_t)snprintf(text, size, "file");
+  for (size_t key = 0; key < variations->key_count; key++)
+    length += (size_t)snprintf(text + length, size - length, ",%.*s",
+                               (int)variations->varied[key].key, variations->varied[key].text);
+  for (size_t i = 0; i < batch->count; i++) {
+    const RenderJob *const job = &batch->jobs[i];
+    if (job->outcome != OUTCOME_OK) continue;
+    length += (size_t)snprintf(text + length, size - length, "\n%s", path_base(job->output));
+    for (size_t key = 0; key < variations->key_count; key++) {
+      char value[TABLE_VALUE];
+      variations_value(variations, key, i % variations->count, value, sizeof value);
+      length += (size_t)snprintf(text + length, size - length, ",%s", value);
+    }
+  }
+  (void)snprintf(text + length, size - length, "\n");
+}
+
+static Outcome write_table(const RenderBatch *batch) {
+  const size_t cells = (batch->count + 1) * (batch->variations.key_count + 4);
+  const size_t size = cells * TABLE_VALUE;
+  char *const path = folder_path(batch->folder, TABLE);
+  char *const text = malloc(size);
+  Outcome outcome = path && text ? OUTCOME_OK : fail_memory();
+  if (outcome == OUTCOME_OK) {
+    write_rows(batch, text, size);
+    outcome = text_file_write(path, text, false);
+  }
+  free(text);
+  free(path);
+  return outcome;
+}
+
 /* Not for nothing: a job must be left that can be rendered. */
 static Outcome create_folder(const RenderBatch *batch) {
   size_t failed = 0;
@@ -148,6 +189,8 @@ Outcome render_jobs_run(RenderBatch *batch) {
   Outcome outcome = create_folder(batch);
   if (outcome != OUTCOME_OK) return outcome;
   const Outcome rendered = render_jobs_do(batch);
-  if (arguments_has(&batch->jobs[0].arguments, "json")) outcome = print_reports(batch);
+  if (batch->variations.count > 0) outcome = write_table(batch);
+  if (outcome == OUTCOME_OK && arguments_has(&batch->jobs[0].arguments, "json"))
+    outcome = print_reports(batch);
   return outcome == OUTCOME_OK ? rendered : outcome;
 }

@@ -16,6 +16,7 @@
 #include "midi/midi_options.h"
 #include "platform/process.h"
 #include "render/render_outputs.h"
+#include "render/variations.h"
 #include "strokes/duration.h"
 #include "strokes/humanize_options.h"
 #include "strokes/stroke_options.h"
@@ -44,6 +45,8 @@ const Option render_options[] = {
   OPTION_HUMANIZE("0"),
   OPTION_SEED,
   OPTION_SET,
+  OPTION_VARY,
+  OPTION_COUNT,
   {"each", 0, NULL, "a sound for each --events file, in a folder; see below"},
   OPTION_JOBS,
   OPTION_MIC,

@@ -3,21 +3,9 @@
 
 #include <math.h>
 
+#include "base/random.h"
+
 #define PI 3.14159265358979323846
-
-/* SplitMix64 (Steele, Lea, Flood 2014): every seed is a good one, also 0 and its neighbours. */
-static uint64_t next_bits(Humanizer *humanizer) {
-  humanizer->state += 0x9E3779B97F4A7C15u;
-  uint64_t z = humanizer->state;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBu;
-  return z ^ (z >> 31);
-}
-
-/* Evenly in [0, 1). */
-static double next_share(Humanizer *humanizer) {
-  return (double)(next_bits(humanizer) >> 11) * 0x1p-53;
-}
 
 Humanizer humanizer(double amount, uint32_t seed) {
   return (Humanizer){.amount = amount, .state = seed};
@@ -38,8 +26,8 @@ static double degrees_of(double x, double y) {
 /* Evenly in a disc of radius 1: a place in the square around it, the first of 16 that is inside. */
 static void place_in_disc(Humanizer *humanizer, double *x, double *y) {
   for (int trial = 0; trial < 16; trial++) {
-    *x = 2 * next_share(humanizer) - 1;
-    *y = 2 * next_share(humanizer) - 1;
+    *x = 2 * random_share(&humanizer->state) - 1;
+    *y = 2 * random_share(&humanizer->state) - 1;
     if (*x * *x + *y * *y <= 1) return;
   }
   *x = *y = 0;
@@ -57,7 +45,7 @@ static void scatter_place(Humanizer *humanizer, double head_radius, TaborEvent *
 }
 
 static void scatter_speed(Humanizer *humanizer, TaborEvent *event) {
-  const double faster = next_share(humanizer), slower = next_share(humanizer);
+  const double faster = random_share(&humanizer->state), slower = random_share(&humanizer->state);
   event->velocity *= 1 + humanizer->amount * HUMANIZE_SPEED * (faster - slower);
 }
 

@@ -44,9 +44,15 @@ for kind in static shared; do
   tree=$scratch/$kind
 
   quietly "$CMAKE" -S "$examples" -B "$kind-examples" -DCMAKE_C_COMPILER="$CC" \
-    -DCMAKE_CXX_COMPILER="${CXX:-}" -DCMAKE_PREFIX_PATH="$tree"
+    -DCMAKE_CXX_COMPILER="${CXX:-}" -DCMAKE_PREFIX_PATH="$tree" -DCMAKE_INCLUDE_PATH="$SOURCE/build/python/miniaudio"
   quietly "$CMAKE" --build "$kind-examples"
   "$kind-examples/minimal" | grep -q 'peak -[0-9.]* dBFS'
+  if [ -x "$kind-examples/game" ]; then
+    # 42 collisions in two seconds: balls from 0.4, 0.8 and 1.2 m, which keep 0.7 of their speed.
+    "$kind-examples/game" null >game.txt && grep -q '^42 collisions, peak 0\.[0-9]*[1-9]' game.txt || complain "the game, $kind: $(cat game.txt)"
+  else
+    skip_part "the game: needs miniaudio.h, which tools/setup --python brings"
+  fi
   try_programs "find_package, $kind" "$kind-examples/sequencer" "${CXX:+$kind-examples/strike}"
 
   use_pkg_config "$tree"

@@ -29,7 +29,8 @@ value_of() {
     set) if [ "$1" = kit ]; then echo drum.snare.batter.tension=4000; else echo batter.tension=4000; fi ;;
     jobs) echo 1 ;; mic) echo top ;; input) echo sound.wav ;; input-level) echo 1 ;; input-mic) echo top ;; gain) echo -3 ;;
     trace) echo trace.csv ;; backend) echo null ;; device) echo none ;; buffer) echo 64 ;; record) echo take.wav ;; log) echo take.log ;;
-    midi-in) echo none ;; keys) echo keys.ini ;;
+    midi-in) echo none ;; keys) echo keys.ini ;; count) echo 2 ;;
+    vary) if [ "$1" = kit ]; then echo drum.snare.batter.tension=3000..4000; else echo batter.tension=3000..4000; fi ;;
     no-overwrite | strict | each | stereo | split | normalize | verbose | json | quiet | no-ui | help | version) echo - ;;
     *) return 1 ;;
   esac
@@ -44,6 +45,8 @@ expected() {
     *" kit place-cc") echo "needs --map" ;;
     "render drum input-"*) echo "input" ;;
     "render "*" each") echo "folder" ;;
+    "render "*" vary") echo "needs --count" ;;
+    "render "*" count") echo "needs --vary" ;;
     "render kit replay") echo "--replay and --kit" ;;
     "render drum replay") echo "--replay and 'frame-drum'" ;;
     "play "*" device") echo "--device: only" ;;

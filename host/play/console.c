@@ -38,6 +38,9 @@ struct Console {
   bool is_typing; /* a command */
 
   ScreenState screen;
+  ParameterPanel panel;
+  TaborDrumDef def;        /* of the drum that the keys play */
+  TaborHeadDef pitched[2]; /* its heads when their pitches were computed */
   PlayLog log;
   Notices notices;
   double drawn_time, message_time; /* [s] */
@@ -127,7 +130,7 @@ static void escape(Console *console, double time) {
   }
   controls->quits = time - console->escape_time < ESCAPE_TIME;
   console->escape_time = time;
-  controls->shows_help = false;
+  controls->shows_help = console->panel.is_open = false;
   if (controls->quits) return;
   (void)snprintf(controls->text, sizeof controls->text, "Escape again quits");
   controls->is_trouble = false;
@@ -151,9 +154,32 @@ static void act(Console *console, Key key, double time) {
   if (action.kind == ACTION_HELP && !console->has_screen) list_keys(console);
 }
 
+/* Typed on as if it had been begun by hand. */
+static void begin_typed(Console *console, const char *command) {
+  begin_command(console);
+  line_editor_replace(&console->line, 0, command);
+  show_typing(console);
+}
+
+/* False: the key is not the panel's. */
+static bool take_panel_key(Console *console, Key key, double time) {
+  char command[PANEL_COMMAND_SIZE];
+  if (!console->has_screen) return false;
+  const PanelWish wish = parameter_panel_take(&console->panel, &console->def, key, command);
+  if (wish == PANEL_RUN) {
+    controls_run(&console->controls, command, time);
+    tell_line(console);
+  } else if (wish == PANEL_TYPE) {
+    begin_typed(console, command);
+  }
+  return wish != PANEL_NOTHING;
+}
+
 static void take_key(Console *console, Key key, double time) {
   if (console->is_typing) {
     type(console, key, time);
+  } else if (take_panel_key(console, key, time)) {
+    console->controls.shows_help = false;
   } else if (key == KEY_ESCAPE) {
     escape(console, time);
     return;
@@ -200,7 +226,7 @@ static void name_channels(const PlayRequest *request, const TaborDrumDef *def,
     }
     const char *const name = request->def.mic[request->mics[i]].name;
     const int mic = tabor_drum_def_find_mic(def, name);
-    (void)snprintf(screen->mics[i], sizeof screen->mics[i], "%s", def->mic[mic < 0 ? 0 : mic].name);
+    memcpy(screen->mics[i], def->mic[mic < 0 ? 0 : mic].name, sizeof screen->mics[i]);
   }
 }
 
@@ -211,22 +237,50 @@ static void take_tuning(const TaborDrumDef *def, ScreenTuning *tuning) {
   tuning->wires = def->wires.tension;
 }
 
+/* Which takes some hundredths of a second, and so only where a head has changed. */
+static void take_pitches(Console *console) {
+  const TaborHeadDef heads[] = {console->def.batter, console->def.resonant};
+  ScreenTuning *const tuning = &console->screen.tuning;
+  for (uint32_t head = 0; head < 2; head++) {
+    if (memcmp(&heads[head], &console->pitched[head], sizeof *heads) == 0) continue;
+    console->pitched[head] = heads[head];
+    if (tuning->heads[head] == 0 ||
+        tabor_drum_def_pitch(&console->def, head, &tuning->pitches[head], NULL) != TABOR_OK)
+      tuning->pitches[head] = 0;
+  }
+}
+
+static void name_heard(const PlayRequest *request, ScreenState *screen) {
+  static const char *const rooms[] = {"free air", "a booth", "a studio", "a hall"};
+  size_t length = 0;
+  for (uint32_t i = 0; i < request->channels && length < sizeof screen->heard; i++)
+    length += (size_t)snprintf(screen->heard + length, sizeof screen->heard - length, "%s%s",
+                               i > 0 ? ", " : "", screen->mics[i]);
+  if (length >= sizeof screen->heard) return;
+  const TaborRoomDef *const room = request->kit ? &request->kit->room : &request->def.room;
+  const bool has_room = request->kit || arguments_has(request->arguments, "stereo");
+  (void)snprintf(screen->heard + length, sizeof screen->heard - length, " in %s",
+                 rooms[has_room ? room->kind : TABOR_ROOM_NONE]);
+}
+
 static void take_drum(Console *console) {
   const PlayRequest *const request = console->session->request;
   ScreenState *const screen = &console->screen;
-  TaborDrumDef def;
+  TaborDrumDef *const def = &console->def;
   const uint32_t drum = console->controls.drum;
-  model_builder_definition(console->session->builders[drum], &def);
+  model_builder_definition(console->session->builders[drum], def);
   if (request->kit) {
     (void)snprintf(screen->drum, sizeof screen->drum, "%s, %s", request->kit->drum[drum].name,
-                   def.name);
+                   def->name);
   }
-  name_channels(request, &def, screen);
-  screen->head_radius = def.shell.radius;
-  screen->has_snares = def.wires.count > 0;
-  screen->snares_on = def.wires.strainer > 0;
-  screen->is_muffled = def.batter.muffle_strength > 0;
-  take_tuning(&def, &screen->tuning);
+  name_channels(request, def, screen);
+  name_heard(request, screen);
+  screen->head_radius = def->shell.radius;
+  screen->has_snares = def->wires.count > 0;
+  screen->snares_on = def->wires.strainer > 0;
+  screen->is_muffled = def->batter.muffle_strength > 0;
+  take_tuning(def, &screen->tuning);
+  if (console->has_screen) take_pitches(console);
 }
 
 static void take_meters(ScreenState *screen, double seconds) {
@@ -243,6 +297,8 @@ static void take_controls(Console *console) {
   screen->humanize = controls->humanizer.amount;
   screen->help = controls->shows_help ? &console->session->request->keymap : NULL;
   screen->line = console->is_typing ? &console->line : NULL;
+  screen->panel = console->panel.is_open ? &console->panel : NULL;
+  screen->def = &console->def;
 }
 
 static void draw(Console *console) {

@@ -4,9 +4,11 @@
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "drums/pitch_text.h"
+#include "plugin/key_text.h"
 #include "plugin/knob_text.h"
 #include "plugin/knobs.h"
 
@@ -50,11 +52,21 @@ static bool is_plain(KnobId id, const char *text) {
   return !strchr(text, '%') && !isalpha((unsigned char)*text);
 }
 
+/* A number with a unit; without one it is in the table's, as everywhere in the program. */
+static const char *read_unit(const char *key, const char *text, char room[PLAYER_WORD_SIZE]) {
+  const TaborParameter *const parameter = tabor_parameter_find(key);
+  char *end = NULL;
+  (void)strtod(text, &end);
+  if (!parameter || end == text || *end == '\0') return text;
+  return key_text_read(parameter, "", text, room, PLAYER_WORD_SIZE) ? room : text;
+}
+
 const char *player_words_read(const TaborDrumDef *def, const char *key, const char *text,
                               char room[PLAYER_WORD_SIZE]) {
   const KnobId id = knob_of(def, key);
   double value;
-  if (id == KNOB_COUNT || knobs[id].scale == KNOB_IN_UNITS || is_plain(id, text)) return text;
+  if (id == KNOB_COUNT || knobs[id].scale == KNOB_IN_UNITS) return read_unit(key, text, room);
+  if (is_plain(id, text)) return text;
   if (knobs[id].scale == KNOB_IN_NOTES) {
     if (!pitch_read(text, &value)) return text;
   } else {

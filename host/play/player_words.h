@@ -20,7 +20,7 @@
 void player_words_write(const TaborDrumDef *def, const char *key, char *text, size_t size);
 /**
  * Returns the value for @p key that @p text means as the control's, "50 %", "open" or "A3 +12 ct",
- * written to @p room; or
+ * or with a unit of its own, "140 mm", "6 in", "11 g" (plugin/key_text.h), written to @p room; or
  * @p text itself, which the engine reads or refuses.
  */
 const char *player_words_read(const TaborDrumDef *def, const char *key, const char *text,

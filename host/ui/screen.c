@@ -5,6 +5,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "drums/pitch_text.h"
+
 #define LABEL 9          /* columns of what stands in front of a row */
 #define METER_NUMBERS 21 /* columns behind a meter: level, peak, light */
 #define LOAD_NUMBERS 34
@@ -156,6 +158,17 @@ static void draw_drum(const ScreenState *state, Canvas *canvas, int row) {
   draw_count(canvas, row, column, "strikers", play->strikers, false);
 }
 
+static int draw_head(Canvas *canvas, int row, int column, const char *name, double tension,
+                     double pitch) {
+  char note[32];
+  column = canvas_print(canvas, row, column, STYLE_PLAIN, "%s ", name);
+  if (pitch > 0) {
+    (void)pitch_text(pitch, note, sizeof note);
+    column = canvas_print(canvas, row, column, STYLE_STRONG, "%s, ", note);
+  }
+  return canvas_print(canvas, row, column, STYLE_PLAIN, "%.0f N/m", tension);
+}
+
 /* A plate has no tension. */
 static void draw_tuning(const ScreenState *state, Canvas *canvas, int row) {
   const ScreenTuning *const tuning = &state->tuning;
@@ -164,10 +177,9 @@ static void draw_tuning(const ScreenState *state, Canvas *canvas, int row) {
     canvas_text(canvas, row, LABEL, STYLE_FAINT, "a plate: none");
     return;
   }
-  int column = canvas_print(canvas, row, LABEL, STYLE_PLAIN, "batter %.0f N/m", tuning->heads[0]);
+  int column = draw_head(canvas, row, LABEL, "batter", tuning->heads[0], tuning->pitches[0]);
   if (tuning->heads[1] > 0)
-    column =
-      canvas_print(canvas, row, column + 3, STYLE_PLAIN, "resonant %.0f N/m", tuning->heads[1]);
+    column = draw_head(canvas, row, column + 3, "resonant", tuning->heads[1], tuning->pitches[1]);
   if (state->has_snares)
     canvas_print(canvas, row, column + 3, STYLE_PLAIN, "wires %.3g N", tuning->wires);
 }
@@ -200,6 +212,11 @@ static void draw_last(const ScreenState *state, Canvas *canvas, int row) {
   screen_event(event, state->head_radius, text, sizeof text);
   const int column = canvas_text(canvas, row, LABEL, STYLE_PLAIN, *text ? text : "nothing yet");
   if (*text) canvas_print(canvas, row, column, STYLE_FAINT, ", at %.2f s", state->play.last_time);
+}
+
+static void draw_heard(const ScreenState *state, Canvas *canvas, int row) {
+  draw_label(canvas, row, "heard");
+  canvas_text(canvas, row, LABEL, STYLE_PLAIN, state->heard);
 }
 
 static void draw_settings(const ScreenState *state, Canvas *canvas, int row) {
@@ -262,8 +279,9 @@ static void draw_line(const LineEditor *line, Canvas *canvas, int row) {
 }
 
 static void draw_hints(const ScreenState *state, Canvas *canvas, int row) {
-  (void)state;
-  canvas_text(canvas, row, 1, STYLE_FAINT, "? help   : command   Escape twice or Ctrl-C quits");
+  canvas_text(canvas, row, 1, STYLE_FAINT,
+              state->panel ? "up, down: choose   left, right: turn   Enter: type   Tab closes"
+                           : "? help   Tab parameters   : command   Escape twice or Ctrl-C quits");
 }
 
 static void draw_bottom(const ScreenState *state, Canvas *canvas, int row) {
@@ -306,9 +324,10 @@ static bool find_help(const Keymap *keymap, size_t index, char *keys, size_t siz
     *text = explained[i].text;
     return true;
   }
-  (void)snprintf(keys, size, "Escape twice, Ctrl-C");
-  *text = "quit; a key held down plays a roll";
-  return index == 0;
+  (void)snprintf(keys, size, index == 0 ? "Tab" : "Escape twice, Ctrl-C");
+  *text =
+    index == 0 ? "all parameters, to walk through and turn" : "quit; a key held down plays a roll";
+  return index <= 1;
 }
 
 bool screen_help(const Keymap *keymap, size_t index, char *text, size_t size) {
@@ -337,8 +356,9 @@ static const struct {
   RowFn *draw; /* NULL: an empty row */
   int importance;
 } rows[] = {
-  {NULL, 1},        {draw_load, 7}, {draw_health, 6}, {NULL, 2},          {draw_drum, 5},
-  {draw_tuning, 3}, {draw_last, 8}, {NULL, 2},        {draw_settings, 9}, {draw_device, 4},
+  {NULL, 1},          {draw_load, 7},   {draw_health, 6}, {NULL, 2},
+  {draw_drum, 5},     {draw_tuning, 5}, {draw_last, 8},   {NULL, 2},
+  {draw_settings, 9}, {draw_heard, 3},  {draw_device, 4},
 };
 #define ROWS ((int)(sizeof rows / sizeof rows[0]))
 
@@ -370,6 +390,8 @@ void screen_draw(const ScreenState *state, Canvas *canvas) {
   }
   if (state->help) {
     draw_help(state, canvas, row + (message - row > 13), message - 1);
+  } else if (state->panel) {
+    parameter_panel_draw(state->panel, state->def, canvas, row + (message - row > 13), message - 1);
   } else {
     draw_rows(state, canvas, row, message - row);
   }

@@ -11,18 +11,20 @@
 #ifndef TABOR_HOST_SCREEN_H
 #define TABOR_HOST_SCREEN_H
 
+#include "base/line_editor.h"
 #include "sound/play_status.h"
 #include "ui/canvas.h"
 #include "ui/keymap.h"
-#include "base/line_editor.h"
 #include "ui/meter.h"
+#include "ui/parameter_panel.h"
 
 #define SCREEN_MESSAGE_SIZE 512 /**< bytes, with the terminator */
 
 /** What a drum is tuned to. */
 typedef struct ScreenTuning {
-  double heads[2]; /**< tensions [N/m]; 0 of a plate, and of a head that is not there */
-  double wires;    /**< tension [N] */
+  double heads[2];   /**< tensions [N/m]; 0 of a plate, and of a head that is not there */
+  double wires;      /**< tension [N] */
+  double pitches[2]; /**< of the heads at a lug [Hz]; 0: unknown */
 } ScreenTuning;
 
 typedef struct ScreenState {
@@ -37,6 +39,9 @@ typedef struct ScreenState {
   double humanize;                    /**< 0 to 1 */
   bool has_snares, snares_on, is_muffled;
   ScreenTuning tuning;
+  char heard[TABOR_TEXT_SIZE];       /**< microphones and room, "left, right in a studio" */
+  const ParameterPanel *panel;       /**< open in place of all else */
+  const TaborDrumDef *def;           /**< of the drum that it shows */
   char message[SCREEN_MESSAGE_SIZE]; /**< "" for none */
   bool is_trouble;                   /**< the message is an error or warning */
   const LineEditor *line;            /**< the command line, or NULL while it is closed */

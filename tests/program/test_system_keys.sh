@@ -94,6 +94,13 @@ in_time 0.05 "a buzz is heard" type_buzz
 
 types 'type :' 'type set wires.asdf' 'wait :set wires.asdf' 'type \x15\x7f' 'gone :set' 'wait ? help'
 same "no strokes while typing" 0 "$(strokes)"
+# ---- the list of parameters ----
+
+types 'type \t' 'wait Tab closes' 'wait what the drum is called' 'type \e[6~\e[6~' 'wait radius of the heads' \
+  'type \r' 'wait :set shell.radius 200 mm' 'type \x15set shell.radius 8 in\r' 'wait shell.radius = 0.2032 m' \
+  'type \e[6~\e[C' 'wait batter.tension = ' 'type a' 'wait Tab closes' 'type \t' 'wait ? help'
+same "a key plays on while the list is open" 1 "$(strokes)"
+
 types 'type :set batter.tens\t9000\r' 'wait batter.tension = 9000 N/m' 'type :\e[A' \
   'wait :set batter.tension 9000' 'type \x7f\x7f\x7f\x7f1\r' 'wait is outside 100 to 20000 N/m' \
   'type :set batter.pitch C6\r' 'wait batter.pitch = 1046.5 is outside' \

@@ -45,7 +45,8 @@ static int begin(void **state) {
     .humanize = 0.3,
     .has_snares = true,
     .snares_on = true,
-    .tuning = {.heads = {5230.4, 4100}, .wires = 12.5},
+    .tuning = {.heads = {5230.4, 4100}, .wires = 12.5, .pitches = {220, 0}},
+    .heard = "left, right in a studio",
   };
   return 0;
 }
@@ -90,8 +91,9 @@ static void everything_is_shown_at_80_by_24(void **state) {
   expect("xruns 3");
   expect("strokes 77");
   expect("strikers 1");
-  expect("batter 5230 N/m   resonant 4100 N/m   wires 12.5 N");
+  expect("batter A3, 5230 N/m   resonant 4100 N/m   wires 12.5 N");
   expect("notes that play nothing 4");
+  expect("heard   left, right in a studio");
   shown.tuning = (ScreenTuning){.wires = 0};
   draw(80, 24);
   expect("a plate: none");

@@ -8,9 +8,8 @@
 
 #include "clap/instance.h"
 #include "clap/presets.h"
-#include "drums/drum_file.h"
 #include "drums/user_presets.h"
-#include "kit/kit_file.h"
+#include "kit/user_sounds.h"
 #include "platform/files.h"
 
 #define MESSAGE (2 * TABOR_TEXT_SIZE)
@@ -100,28 +99,18 @@ static void describe_all(const Receiver *receiver) {
   }
 }
 
-/* A file is a kit or a drum; *message is that of the drum. */
-static bool describe_file(const Receiver *receiver, const char *path, TaborKitDef *kit,
-                          char *message) {
-  TaborDrumDef drum;
-  const bool is_kit = kit_file_read(path, kit, message, MESSAGE) == PRESET_FILE_OK;
-  if (!is_kit && drum_file_read(path, &drum, message, MESSAGE) != PRESET_FILE_OK) return false;
-  if (receiver->begin_preset(receiver, is_kit ? kit->name : drum.name, NULL)) {
+static bool read_file(const Receiver *receiver, const char *path) {
+  UserSound sound;
+  char message[MESSAGE];
+  if (!user_sound_read(path, &sound, message, sizeof message)) {
+    receiver->on_error(receiver, 0, message);
+    return false;
+  }
+  if (receiver->begin_preset(receiver, sound.name, NULL)) {
     receiver->set_flags(receiver, CLAP_PRESET_DISCOVERY_IS_USER_CONTENT);
-    describe(receiver, is_kit, is_kit ? "kit" : drum.category,
-             is_kit ? kit->comment : drum.comment);
+    describe(receiver, sound.is_kit, sound.category, sound.comment);
   }
   return true;
-}
-
-static bool read_file(const Receiver *receiver, const char *path) {
-  TaborKitDef *const kit = malloc(sizeof *kit);
-  char message[MESSAGE];
-  if (!kit) return false;
-  const bool is_read = describe_file(receiver, path, kit, message);
-  if (!is_read) receiver->on_error(receiver, 0, message);
-  free(kit);
-  return is_read;
 }
 
 static bool get_metadata(const clap_preset_discovery_provider_t *provider, uint32_t kind,

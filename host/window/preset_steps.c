@@ -2,65 +2,11 @@
 #include "window/preset_steps.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
-#include "drums/drum_file.h"
-#include "kit/kit_file.h"
-#include "platform/files.h"
+#include "kit/user_sounds.h"
 
 /* ---- files ---------------------------------------------------------------------------------- */
-
-/* A look through the user's folder. */
-typedef struct Folder {
-  char path[USER_PRESET_PATH];
-  bool is_kit;
-  TaborKitDef *kit; /* room */
-  TaborDrumDef drum;
-  void (*visit)(void *context, const char *name, const char *comment);
-  void *context;
-} Folder;
-
-/* The comment of a file of the sort, or NULL. */
-static const char *comment_of(Folder *folder, const char *path) {
-  char message[2 * TABOR_TEXT_SIZE];
-  if (kit_file_read(path, folder->kit, message, sizeof message) == PRESET_FILE_OK)
-    return folder->is_kit ? folder->kit->comment : NULL;
-  if (folder->is_kit) return NULL;
-  return drum_file_read(path, &folder->drum, message, sizeof message) == PRESET_FILE_OK
-           ? folder->drum.comment
-           : NULL;
-}
-
-static void visit_file(void *context, const char *file) {
-  Folder *const folder = context;
-  char name[TABOR_NAME_SIZE], path[2 * USER_PRESET_PATH];
-  const char *const end = strstr(file, ".ini");
-  const size_t length = end ? (size_t)(end - file) : 0;
-  if (length == 0 || end[4] != '\0' || length >= sizeof name) return;
-  memcpy(name, file, length);
-  name[length] = '\0';
-  const int size = snprintf(path, sizeof path, "%s/%s", folder->path, file);
-  if (size < 0 || (size_t)size >= sizeof path) return;
-  const char *const comment = comment_of(folder, path);
-  if (comment) folder->visit(folder->context, name, comment);
-}
-
-void preset_files_visit(const InstrumentKind *kind,
-                        void (*visit)(void *context, const char *name, const char *comment),
-                        void *context) {
-  Folder *const folder = malloc(sizeof *folder);
-  TaborKitDef *const kit = malloc(sizeof *kit);
-  if (folder && kit && user_folder(folder->path)) {
-    folder->is_kit = kind->id == INSTRUMENT_KIT;
-    folder->kit = kit;
-    folder->visit = visit;
-    folder->context = context;
-    folder_visit(folder->path, visit_file, folder);
-  }
-  free(kit);
-  free(folder);
-}
 
 /* A search for the file whose name stands next to another one. */
 typedef struct Search {
@@ -74,9 +20,9 @@ static bool is_behind(const Search *search, const char *a, const char *b) {
   return search->steps > 0 ? strcmp(a, b) > 0 : strcmp(a, b) < 0;
 }
 
-static void consider(void *context, const char *name, const char *comment) {
+static void consider(void *context, const char *name, const UserSound *sound) {
   Search *const search = context;
-  (void)comment;
+  (void)sound;
   if (search->beside && !is_behind(search, name, search->beside)) return;
   if (*search->best && !is_behind(search, search->best, name)) return;
   (void)snprintf(search->best, sizeof search->best, "%s", name);
@@ -86,7 +32,7 @@ static void consider(void *context, const char *name, const char *comment) {
 static bool find_file(PresetSteps *taken, const InstrumentKind *kind, const char *beside, int steps,
                       PresetPlace *place) {
   Search search = {.beside = beside, .steps = steps};
-  preset_files_visit(kind, consider, &search);
+  user_sounds_visit(kind->id == INSTRUMENT_KIT, consider, &search);
   memcpy(taken->file, search.best, sizeof taken->file);
   place->is_file = true;
   return *search.best && user_preset_path(search.best, place->name);

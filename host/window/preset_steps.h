@@ -28,11 +28,6 @@ typedef struct PresetSteps {
  * built-in one. */
 PresetPlace preset_steps_take(PresetSteps *taken, const InstrumentKind *kind, const char *title,
                               int steps);
-/** MAIN. Tells @p visit of each file of the user's folder that is one of these drums or kits: its
- * name without extension and its comment, in no order. */
-void preset_files_visit(const InstrumentKind *kind,
-                        void (*visit)(void *context, const char *name, const char *comment),
-                        void *context);
 /** MAIN. A file of the folder was chosen, without extension; "": something else. */
 void preset_steps_choose(PresetSteps *taken, const char *file);
 /** MAIN. What was taken calls itself @p title. */

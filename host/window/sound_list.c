@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "kit/user_sounds.h"
+
 static bool has_category(const ListView *list, const char *name) {
   for (uint32_t i = 0; i < list->count; i++)
     if (list->lines[i].is_category && strcmp(list->lines[i].name, name) == 0) return true;
@@ -29,8 +31,8 @@ static void add_categories(ListView *list, const InstrumentKind *kind) {
   }
 }
 
-static void add_file(void *context, const char *name, const char *comment) {
-  ListLine *const line = list_view_add(context, name, comment);
+static void add_file(void *context, const char *name, const UserSound *sound) {
+  ListLine *const line = list_view_add(context, name, sound->comment);
   if (line) line->is_file = true;
 }
 
@@ -47,7 +49,7 @@ static void end_category(ListView *list, uint32_t first) {
 static void add_files(ListView *list, const InstrumentKind *kind) {
   list_view_add_category(list, "your own");
   const uint32_t first = list->count;
-  preset_files_visit(kind, add_file, list);
+  user_sounds_visit(kind->id == INSTRUMENT_KIT, add_file, list);
   qsort(list->lines + first, list->count - first, sizeof *list->lines, compare_names);
   end_category(list, first);
 }

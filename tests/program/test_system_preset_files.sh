@@ -21,6 +21,23 @@ with() {
   { cat good.ini && printf '%s\n' "$@"; } >bad.ini
 }
 
+# ---- the user's own ----
+
+mkdir -p "$XDG_DATA_HOME/tabor"
+"$TABOR" show tom-12 | sed "s/^comment = .*/comment = a tom of mine/" >"$XDG_DATA_HOME/tabor/my-tom.ini"
+"$TABOR" show --kit jazz >"$XDG_DATA_HOME/tabor/my-kit.ini"
+echo "[window]" >"$XDG_DATA_HOME/tabor/else.ini"
+done_quietly presets
+same "presets lists a drum of one's own, last" "my-tom tom a tom of mine (your own)" "$(tail -n 1 "$out" | tr -s ' ')"
+same "and no kit, and nothing else" 0 "$(grep -c 'my-kit\|else' "$out")"
+done_quietly presets --kits
+same "kits likewise" "my-kit kit" "$(tail -n 1 "$out" | tr -s ' ' | cut -d ' ' -f 1,2)"
+done_quietly presets --json
+at=$(($(json presets.size) - 1))
+same "as JSON" "my-tom true $XDG_DATA_HOME/tabor/my-tom.ini" \
+  "$(json presets.$at.name) $(json presets.$at.own) $(json presets.$at.file)"
+rm -r "$XDG_DATA_HOME"
+
 # ---- files that cannot be read ----
 
 failed "missing.ini" show missing.ini

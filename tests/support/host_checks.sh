@@ -20,6 +20,8 @@ cd "$work" || exit 1
 # No sound card, and no plugin of ALSA's: what the machine has must not matter.
 echo 'pcm.default { type hw card 99 }' >"$private/asound.conf"
 export ALSA_CONFIG_PATH=$private/asound.conf
+# Nor drums of the user's own.
+export XDG_DATA_HOME=$private/data
 
 checks=0 failures=0 finished=no
 

@@ -639,6 +639,47 @@ async function watchSlowMotion(browser) {
   await page.context().close();
 }
 
+/** Points of a canvas in a colour of the style, within 40 of each part. */
+const countColored = (page, canvas, name) => page.evaluate(([id, name]) => {
+  const shown = document.getElementById(id);
+  const copy = new OffscreenCanvas(shown.width, shown.height).getContext("2d");
+  copy.drawImage(shown, 0, 0);
+  const probe = new OffscreenCanvas(1, 1).getContext("2d");
+  probe.fillStyle = getComputedStyle(shown).getPropertyValue(name);
+  probe.fillRect(0, 0, 1, 1);
+  const [r, g, b] = probe.getImageData(0, 0, 1, 1).data;
+  const { data } = copy.getImageData(0, 0, shown.width, shown.height);
+  let count = 0;
+  for (let i = 0; i < data.length; i += 4) {
+    if (data[i + 3] > 200 && Math.max(Math.abs(data[i] - r), Math.abs(data[i + 1] - g), Math.abs(data[i + 2] - b)) < 40) count++;
+  }
+  return count;
+}, [canvas, name]);
+
+/** On the paper's drum string and skin leave curves over 120 ms. Hold stops the film, the wave form and the spectrum. */
+async function watchPapersDrum(browser) {
+  const page = await open(browser, {});
+  await choose(page, "bodhran-d-string", "draft");
+  if ((await countColored(page, "heights", "--touch")) > 0) complain("there are curves before a stroke");
+  await page.getByRole("combobox", { name: "How many times slower" }).selectOption("50");
+  await page.mouse.click(...(await placeOf(page, 0.3, 0.2)));
+  await page.locator("#motion-text", { hasText: /^4\d[.].* ms/ }).waitFor(); // a film of 40 ms would be over soon
+  const curves = [await countColored(page, "heights", "--touch"), await countColored(page, "heights", "--mesh")];
+  console.log(`# points of string and skin: ${curves}`);
+  if (curves[0] < 300 || curves[1] < 300) complain("string and skin have no curves");
+  await page.keyboard.press(".");
+  await page.waitForTimeout(200);
+  const held = await Promise.all(["motion", "heights", "wave", "spectrum"].map((canvas) => look(page, canvas)));
+  await page.screenshot({ fullPage: true, path: join(folder, "held.png") });
+  await page.waitForTimeout(1000);
+  const later = await Promise.all(["motion", "heights", "wave", "spectrum"].map((canvas) => look(page, canvas)));
+  if (held.some((picture, i) => picture !== later[i])) complain("Hold does not hold");
+  await page.getByRole("button", { name: "Hold" }).click();
+  await page.locator("#motion-text", { hasText: /^11\d[.].* ms/ }).waitFor();
+  await page.locator("#motion-text", { hasText: "next stroke" }).waitFor();
+  await page.context().close();
+}
+
 /** The page opens on a cheap drum. Somebody who wants little motion gets none unasked. */
 async function openFirst(browser) {
   const page = await open(browser, { reducedMotion: "reduce" });
@@ -691,6 +732,7 @@ try {
   await lackSound(browser);
   await watchSlowMotion(browser);
   await watchSoundOfFilm(browser);
+  await watchPapersDrum(browser);
   await openFirst(browser);
   await touch(browser);
   if (seconds) await playLong(browser);

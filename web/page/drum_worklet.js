@@ -12,7 +12,7 @@
 // Messages from it: { type: "playing" } for each new drum; { type: "strained", value } and { type: "sung" }, of a MIDI file: the snares,
 // and its end; { type: "struck", frame, ... } for each stroke;
 // { type: "level", peak } some fifty times a second; { type: "ledger", injected, ... } some six times; { type: "recorded", sound, frame, last };
-// { type: "filmed", drum, pictures } of the 40 ms from a stroke on, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
+// { type: "filmed", drum, pictures } of the 40 ms from a stroke on, of a drum with one wire 120, one each PICTURE_FRAMES frames: film_view.js has what they consist of.
 import { ContinuedEngine, LEDGER } from "./engine.js";
 
 const BLOCK = 128; // frames
@@ -24,6 +24,7 @@ const LEVEL_BLOCKS = 8; // blocks of one level
 const LEDGER_LEVELS = 8; // levels between two ledgers
 const PIECE_BLOCKS = 32; // blocks of one piece of a recording
 const FILM_BLOCKS = 15; // blocks of a film
+const LONG_FILM_BLOCKS = 45; // of a drum with one wire: it bounces slowly
 const BLOCK_PICTURES = 4; // of each filmed block
 
 /** A drum or a kit in an engine of its own. */
@@ -56,6 +57,10 @@ class Voice {
       : this.engine.instrument_play(this.instrument, BLOCK);
     this.block ??= Array.from({ length: CHANNELS }, (_, i) => new Float32Array(buffer, address + 4 * BLOCK * i, BLOCK));
     return this.block;
+  }
+
+  wires(drum) {
+    return this.engine.picture_shape(this.instrument, drum, 3);
   }
 
   /** The numbers of the pictures of a filmed block of a drum. */
@@ -161,7 +166,8 @@ class DrumProcessor extends AudioWorkletProcessor {
   /** Of a drum, unless there is one. */
   beginFilm(drum) {
     const size = this.voice.picturesSize(drum);
-    this.film ??= { drum, pictures: new Float32Array(FILM_BLOCKS * size), blocks: 0 };
+    const length = this.voice.wires(drum) === 1 ? LONG_FILM_BLOCKS : FILM_BLOCKS;
+    this.film ??= { drum, pictures: new Float32Array(length * size), blocks: 0, length };
   }
 
   /** It begins with the next block that a drum plays. */
@@ -196,7 +202,7 @@ class DrumProcessor extends AudioWorkletProcessor {
   addPictures() {
     const { film } = this;
     film.pictures.set(this.voice.pictures(film.drum), film.blocks * this.voice.picturesSize(film.drum));
-    if (++film.blocks < FILM_BLOCKS) return;
+    if (++film.blocks < film.length) return;
     this.film = null;
     this.port.postMessage({ type: "filmed", drum: film.drum, pictures: film.pictures }, [film.pictures.buffer]);
   }

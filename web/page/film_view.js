@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Heads, wires and sticks in the first 40 ms after a stroke, in slow motion: as a net of circles and rays seen from the
+// Heads, wires and sticks in the first 40 ms after a stroke, or 120 ms on a drum with one wire, in slow motion: as a net of circles and rays seen from the
 // side, a little from above. A picture consists of the numbers that web_picture_size() of picture_glue.c lists.
 import { RATE } from "./sound.js";
 
@@ -18,6 +18,8 @@ export class FilmView {
   #canvas;
   #text;
   #setHeights; // of the batter head, which is seen from above
+  #curves; // of its heights
+  #isHeld = false;
   #drums = []; // facts of each
   #facts = null; // of the drum that is shown
   #pictures = null; // Float32Array
@@ -28,8 +30,9 @@ export class FilmView {
   #before = 0; // when the last picture was drawn [ms]
   #asked = false;
 
-  constructor(canvas, text, setHeights) {
+  constructor(canvas, text, curves, setHeights) {
     this.#canvas = canvas;
+    this.#curves = curves;
     this.#text = text;
     this.#setHeights = setHeights;
     new ResizeObserver(() => this.#ask()).observe(canvas);
@@ -67,6 +70,12 @@ export class FilmView {
     this.#slowness = times;
   }
 
+  /** Its time stands still. */
+  setHeld(held) {
+    this.#isHeld = held;
+    this.#before = performance.now();
+  }
+
   play({ drum, pictures }) {
     this.#isAwaited = false;
     const facts = this.#drums[drum];
@@ -75,6 +84,7 @@ export class FilmView {
     this.#pictures = pictures;
     this.#most = this.#highest();
     this.#time = 0;
+    this.#curves.show(pictures, facts.picture, this.#seconds);
     this.#before = performance.now();
     this.#ask();
   }
@@ -95,7 +105,7 @@ export class FilmView {
   #step(now) {
     this.#asked = false;
     if (!this.#pictures) return this.#draw(new Float32Array(this.#facts.picture.size));
-    this.#time += Math.max(now - this.#before, 0) / 1000 / this.#slowness;
+    if (!this.#isHeld) this.#time += Math.max(now - this.#before, 0) / 1000 / this.#slowness;
     this.#before = now;
     const { circles, angles, size } = this.#facts.picture;
     const at = (this.#time * RATE) / PICTURE_FRAMES;
@@ -103,14 +113,21 @@ export class FilmView {
     const picture = this.#between(at);
     this.#draw(picture);
     this.#setHeights({ drum: this.#drums.indexOf(this.#facts), circles, angles, of: picture, most: this.#most });
+    this.#curves.setTime(this.#time);
     this.#tell();
     this.#ask();
   }
 
+  get #seconds() {
+    return ((this.#pictures.length / this.#facts.picture.size - 1) * PICTURE_FRAMES) / RATE;
+  }
+
   #tell() {
-    const touch = this.#facts.picture.wires > 0 ? "; orange wires touch the head" : "";
-    this.#text.textContent =
-      `${(1000 * this.#time).toFixed(1)} ms after the stroke; heights ${Math.round(this.#enlarged)} times enlarged${touch}`;
+    const hasWires = this.#facts.picture.wires > 0;
+    const touch = hasWires ? "; orange wires touch the head" : "";
+    const curves = hasWires ? "its head and, orange, of its middle wire" : "the head";
+    this.#text.textContent = `${(1000 * this.#time).toFixed(1)} ms after the stroke; heights ${Math.round(this.#enlarged)} times enlarged${touch}.`
+      + ` The curves are the heights of the middle of ${curves}.`;
   }
 
   /** The picture at a place between two; sticks are those of the earlier one. */

@@ -20,5 +20,5 @@ export function actionOf(key) {
   if (key in TECHNIQUES) return { technique: TECHNIQUES[key] };
   if (key >= "1" && key <= "9") return { speed: SPEEDS[key - 1] };
   if (key === "[" || key === "]") return { preset: key === "[" ? -1 : 1 };
-  return { " ": { repeat: true }, enter: { repeat: true }, b: { snares: true } }[key] ?? null;
+  return { " ": { repeat: true }, enter: { repeat: true }, b: { snares: true }, ".": { hold: true } }[key] ?? null;
 }

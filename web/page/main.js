@@ -5,6 +5,7 @@ import { DrumView } from "./drum_view.js";
 import { EnergyView } from "./energy_view.js";
 import { startEngine, textAt } from "./engine.js";
 import { FilmView } from "./film_view.js";
+import { HeightsView } from "./heights_view.js";
 import { actionOf } from "./keys.js";
 import { kitOf, listedKit, settingsOfKit } from "./kits.js";
 import { MidiMap, listenToMidi } from "./midi.js";
@@ -12,6 +13,7 @@ import { ModesView } from "./modes_view.js";
 import { Recorder } from "./recorder.js";
 import { CHANNELS, RATE, Sound } from "./sound.js";
 import { SpectrumView } from "./spectrum_view.js";
+import { WaveView } from "./wave_view.js";
 
 const FIRST_DRUM = "tom-12"; // one that slow machines play in real time, too; snare drums take several times as much
 const MOST_LOAD = 0.6; // computing time that `automatic` allows, as a share of real time
@@ -20,14 +22,18 @@ const CROSS_STICK = 3; // the engine's number of this technique
 const CROSS_STICK_PLACE = 0.6; // where its tip lies, as a share of the radius
 const RIM = 4; // the engine's number of this technique
 const FLOOR = -60; // [dBFS]
+const GROUPS = { snare: "Snare drums", tom: "Toms", "bass-drum": "Bass drums", "hand-drum": "Hand drums", timpani: "Timpani",
+  cymbal: "Cymbals", kit: "Kits: several drums at once" };
 
 const element = (id) => document.getElementById(id);
 const link = new URLSearchParams(location.hash.slice(1)); // the drum that a link names, and what was changed of it
 
 const view = new DrumView(element("drum"));
-const film = new FilmView(element("motion"), element("motion-text"), (heights) => view.setHeights(heights));
+const heights = new HeightsView(element("heights"));
+const film = new FilmView(element("motion"), element("motion-text"), heights, (heights) => view.setHeights(heights));
 const energy = new EnergyView(element("energy-bar"), element("energy"));
 const spectrum = new SpectrumView(element("spectrum"));
+const wave = new WaveView(element("wave"));
 const controls = new DrumControls(element("drum-controls"), link, changeDrum);
 let presets = []; // { name, comment }, kits with a name of the list
 let sound = null;
@@ -79,7 +85,18 @@ function showLevel(now) {
   element("level").value = Math.max(level, FLOOR);
   element("decibels").value = level < FLOOR ? "−∞ dB" : `${level.toFixed(0).replace("-", "−")} dB`;
   view.setLevel(level);
-  if (peak > 0) spectrum.show(sound.analyser, isHeld);
+  if (peak === 0 || isOnHold()) return;
+  spectrum.show(sound.analyser, isHeld);
+  wave.show(sound.analyser, isHeld);
+}
+
+const isOnHold = () => element("hold").getAttribute("aria-pressed") === "true";
+
+/* Spectrum, wave form and slow motion stand still. */
+function toggleHold() {
+  const holds = !isOnHold();
+  element("hold").setAttribute("aria-pressed", String(holds));
+  film.setHeld(holds);
 }
 
 function showLedger(ledger) {
@@ -191,6 +208,7 @@ function useDrum(built) {
   showFacts();
   view.show(drums());
   film.show(drums());
+  heights.clear();
   modes.show(drums()[last.drum], last.drum);
   showSlowMotion();
   element("drum").classList.toggle("kit", isKit());
@@ -377,6 +395,7 @@ function act(action) {
   if (action.repeat) strike({ ...last, velocity: last.velocity ?? speed() });
   if (action.speed) setSpeed(action.speed);
   if (action.preset) stepPreset(action.preset);
+  if (action.hold) toggleHold();
   if (action.snares && !element("snares").disabled) setSnares(!element("snares").checked);
 }
 
@@ -474,7 +493,7 @@ function fillPresets() {
   const select = element("preset");
   const groups = {};
   for (const { name, category } of presets) {
-    groups[category] ??= Object.assign(document.createElement("optgroup"), { label: category });
+    groups[category] ??= Object.assign(document.createElement("optgroup"), { label: GROUPS[category] ?? category });
     groups[category].append(new Option(kitOf(name) ?? name, name));
   }
   select.append(...Object.values(groups));
@@ -525,6 +544,7 @@ function listen() {
   element("slow").addEventListener("change", showSlowMotion);
   element("slowness").addEventListener("change", (event) => film.setSlowness(Number(event.target.value)));
   element("cancel").addEventListener("click", cancelBuild);
+  element("hold").addEventListener("click", toggleHold);
   element("record").addEventListener("click", toggleRecording);
   element("midi").addEventListener("click", connectMidi);
   element("song").addEventListener("click", chooseSong);
@@ -541,6 +561,7 @@ async function begin() {
   const bytes = await load("tabor.wasm");
   const engine = await startEngine(bytes);
   presets = listPresets(engine);
+  element("version").textContent = textAt(engine, engine.version());
   midi = new MidiMap(engine);
   sound = new Sound(bytes);
   modes = new ModesView(element("modes"), element("mode-text"), element("drive"), (heights) => view.setHeights(heights), sound);

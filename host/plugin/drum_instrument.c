@@ -286,9 +286,20 @@ static void strike(Instrument *instrument, const WindowStroke *stroke) REALTIME 
   plugin_player_strike(player_of(instrument), stroke->velocity, stroke->radius, stroke->angle);
 }
 
+static void show_stroke(Instrument *instrument) REALTIME;
+static void show_stroke(Instrument *instrument) {
+  WindowLink *const link = &instrument->window;
+  TaborEvent stroke;
+  if (!plugin_player_take_struck(player_of(instrument), &stroke)) return;
+  atomic_store(&link->place[0], (float)stroke.radius);
+  atomic_store(&link->place[1], (float)stroke.angle);
+  atomic_store(&link->struck[0], (float)stroke.velocity);
+}
+
 static void show(Instrument *instrument) REALTIME {
   WindowLink *const link = &instrument->window;
   if (!atomic_load(&link->is_shown)) return;
+  show_stroke(instrument);
   TaborView *const view = atomic_exchange(&link->asked, NULL);
   if (!view) return;
   const TaborDrum *const drum = player_of(instrument)->core.drum;

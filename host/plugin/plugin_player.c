@@ -44,10 +44,26 @@ static void start_over(PluginPlayer *player, const MidiBinding *binding) {
   player->humanizer.state = HUMANIZE_SEED;
 }
 
+/* A DrumWitnessFn. */
+static void note_stroke(void *context, const PlayerMessage *message, uint64_t frame) REALTIME;
+static void note_stroke(void *context, const PlayerMessage *message, uint64_t frame) {
+  (void)frame;
+  if (message->type == PLAYER_EVENT && message->event.type == TABOR_EVENT_STRIKE)
+    ((PluginPlayer *)context)->struck = message->event;
+}
+
+bool plugin_player_take_struck(PluginPlayer *player, TaborEvent *stroke) {
+  *stroke = player->struck;
+  player->struck.type = 0;
+  return stroke->type == TABOR_EVENT_STRIKE;
+}
+
 bool plugin_player_begin(PluginPlayer *player, ModelWorker *worker, double rate, bool stereo) {
   MidiBinding binding;
   player->base_gain = stereo ? knob_factor(&knobs[KNOB_LEVEL_PAIR], STEREO_GAIN_DB) : 1;
   drum_player_begin(&player->core, PLUGIN_MICS, player->base_gain);
+  player->core.witness = note_stroke;
+  player->core.context = player;
   player->worker = worker;
   player->rate = rate;
   player->stereo = stereo;

@@ -91,6 +91,7 @@ typedef struct PluginPlayer {
   PluginMessage messages[PLUGIN_MESSAGES]; /**< in the order in which they act */
   uint32_t count;
   uint32_t first_count; /**< number of those at their front that act before MIDI */
+  TaborEvent struck;    /**< the newest stroke; type 0: none since it was asked for */
 } PluginPlayer;
 
 /* SET-UP */
@@ -102,6 +103,8 @@ void plugin_player_end(PluginPlayer *player);
 
 /* AUDIO */
 
+/** Takes the newest stroke since the last call. False: there was none. */
+bool plugin_player_take_struck(PluginPlayer *player, TaborEvent *stroke) REALTIME;
 /** Resets the player to its start, but keeps the values of the knobs. */
 void plugin_player_rest(PluginPlayer *player) REALTIME;
 /** Sets knob @p id to @p value, the value of its port. KNOB_DRUM comes first, since other knobs

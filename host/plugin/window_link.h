@@ -31,6 +31,7 @@ typedef struct WindowLink {
   _Atomic float peaks[2];
   _Atomic float
     struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke [m/s] until the window takes it */
+  _Atomic float place[2];    /**< of the newest stroke of one drum: [m] from the centre, [deg] */
 } WindowLink;
 
 /** MAIN. False if memory is short; window_link_end() is due all the same. */

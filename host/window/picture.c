@@ -96,12 +96,24 @@ static void draw_control(cairo_t *cairo, const WindowScene *scene, uint32_t row)
 
 /* ---- all ------------------------------------------------------------------------------------ */
 
+/* Where the newest stroke fell, and how fast; nothing before the first. */
+static int write_struck(const WindowScene *scene, char *text, size_t size) {
+  if (scene->struck_speed <= 0) return 0;
+  if (scene->is_kit && scene->struck_drum < scene->drum_count)
+    return snprintf(text, size, "%s struck at %.1f m/s; ", scene->drums[scene->struck_drum].name,
+                    scene->struck_speed);
+  if (scene->is_kit) return 0;
+  return snprintf(text, size, "struck at %.1f m/s, %.0f %% of the radius out; ",
+                  scene->struck_speed, 100 * scene->struck[0]);
+}
+
 static void say_usual(const WindowScene *scene, char *text, size_t size) {
   if (!scene->is_kit && scene->mic < scene->mic_count) {
     drum_picture_say_mic(&scene->mics[scene->mic], text, size);
   } else {
-    (void)snprintf(text, size, "click to strike at %.1f m/s; the wheel changes it; ? shows keys",
-                   scene->speed);
+    const int told = write_struck(scene, text, size);
+    (void)snprintf(text + told, size - (size_t)told,
+                   "click to strike at %.1f m/s; the wheel changes it; ? shows keys", scene->speed);
   }
 }
 

@@ -13,6 +13,7 @@ static void end_typing(PluginWindow *window, bool is_taken) {
   if (!is_taken) return;
   if (typing == TYPING_VALUE) plugin_window_take_typed(window, at, window->editor.text);
   if (typing == TYPING_NAME) plugin_window_save(window, window->editor.text);
+  if (typing == TYPING_FILE) plugin_window_open_file(window, window->editor.text);
 }
 
 static void type(PluginWindow *window, Key key) {
@@ -125,6 +126,8 @@ static void act(PluginWindow *window, Key key, bool has_shift) {
   case 'L': plugin_window_list(window, LIST_SOUNDS); break;
   case 'p':
   case 'P': plugin_window_list(window, LIST_PAGES); break;
+  case 'o':
+  case 'O': plugin_window_ask_file(window); break;
   case 'w':
   case 'W': plugin_window_ask_name(window); break;
   case '?': plugin_window_list(window, LIST_KEYS); break;

@@ -114,8 +114,16 @@ static void note_drum(PluginWindow *window, const InstrumentSetting *setting) {
 /* A microphone that is held is where the mouse has it. */
 static void look_at_drum(PluginWindow *window) {
   WindowScene *const scene = &window->scene;
+  WindowLink *const link = &instrument_of(window)->window;
   if (!window->has_view) make_view(window);
   scene->view = window->view;
+  const double speed = (double)atomic_exchange(&link->struck[0], 0);
+  if (speed > 0) {
+    scene->struck_speed = speed;
+    scene->struck[0] = (double)atomic_load(&link->place[0]) / scene->radius;
+    scene->struck[1] = (double)atomic_load(&link->place[1]);
+    scene->glow[0] = 1;
+  }
   if (window->holds_mic && scene->mic < scene->mic_count) scene->mics[scene->mic] = window->held;
   scene->glow[0] *= METER_FALL;
 }
@@ -147,8 +155,11 @@ static void note_kit(PluginWindow *window) {
 static void look_at_kit(PluginWindow *window) {
   WindowLink *const link = &instrument_of(window)->window;
   for (uint32_t i = 0; i < TABOR_KIT_DRUMS; i++) {
-    const double lit = fmin((double)atomic_exchange(&link->struck[i], 0) / BRIGHT, 1);
-    window->scene.glow[i] = fmax(METER_FALL * window->scene.glow[i], lit);
+    const double speed = (double)atomic_exchange(&link->struck[i], 0);
+    window->scene.glow[i] = fmax(METER_FALL * window->scene.glow[i], fmin(speed / BRIGHT, 1));
+    if (speed <= 0) continue;
+    window->scene.struck_speed = speed;
+    window->scene.struck_drum = i;
   }
 }
 

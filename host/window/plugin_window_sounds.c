@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "platform/files.h"
+#include "kit/user_sounds.h"
 #include "window/plugin_window_state.h"
 #include "window/sound_list.h"
 
@@ -56,7 +56,7 @@ static void list_keys(ListView *list) {
     {"Page up, page down", "other pages of controls; P lists them"},
     {", .", "the sound before and after; L lists all"},
     {"F", "in that list: a favourite, or none any more"},
-    {"W", "saves the sound under a name of your own"},
+    {"W, O", "saves the sound under a name of your own; opens a file by its path"},
     {"Ctrl-Z, Ctrl-Y", "takes a change back, and makes it again"},
     {"C", "compares A and B"},
     {"Escape", "closes this list"}};
@@ -110,6 +110,40 @@ void plugin_window_star(PluginWindow *window, const ListLine *line) {
   window->list.first = before.first + more;
   if (before.cursor != LIST_NO_CURSOR) window->list.cursor = before.cursor + more;
   list_view_scroll(&window->list, 0);
+}
+
+/* ---- files ---------------------------------------------------------------------------------- */
+
+void plugin_window_ask_file(PluginWindow *window) {
+  line_editor_begin(&window->editor);
+  window->typing = TYPING_FILE;
+  window->scene.typed_at = WINDOW_NO_CONTROL;
+  plugin_window_say(window, false, "open the file:");
+}
+
+/* A path in quotation marks, as file managers copy it, or after file://. */
+static void clean_path(const char *typed, char *path, size_t size) {
+  static const char SCHEME[] = "file://";
+  if (strncmp(typed, SCHEME, sizeof SCHEME - 1) == 0) typed += sizeof SCHEME - 1;
+  const size_t length = strlen(typed);
+  const bool is_quoted =
+    length > 1 && typed[0] == typed[length - 1] && (typed[0] == '"' || typed[0] == '\'');
+  (void)snprintf(path, size, "%.*s", (int)(is_quoted ? length - 2 : length), typed + is_quoted);
+}
+
+/* Read here first, since not every shell says what is wrong. */
+void plugin_window_open_file(PluginWindow *window, const char *typed) {
+  PresetPlace place = {.is_file = true};
+  char message[WINDOW_MESSAGE];
+  UserSound sound;
+  clean_path(typed, place.name, sizeof place.name);
+  if (!user_sound_read(place.name, &sound, message, sizeof message)) {
+    plugin_window_say(window, true, "%s", message);
+  } else if (sound.is_kit != window->scene.is_kit) {
+    plugin_window_say(window, true, "'%.80s' is a %s", place.name, sound.is_kit ? "kit" : "drum");
+  } else {
+    choose_place(window, &place, sound.name);
+  }
 }
 
 /* ---- saving --------------------------------------------------------------------------------- */

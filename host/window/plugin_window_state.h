@@ -26,7 +26,7 @@ typedef struct WindowSetting {
 typedef enum WindowList { LIST_NONE, LIST_SOUNDS, LIST_PAGES, LIST_KEYS } WindowList;
 
 /** What is typed. */
-typedef enum WindowTyping { TYPING_NOTHING, TYPING_VALUE, TYPING_NAME } WindowTyping;
+typedef enum WindowTyping { TYPING_NOTHING, TYPING_VALUE, TYPING_NAME, TYPING_FILE } WindowTyping;
 
 struct PluginWindow {
   PluginWindowShell shell;
@@ -113,6 +113,9 @@ void plugin_window_step(PluginWindow *window, int steps);
 /* Asks for a name to save the sound by, and saves it. */
 void plugin_window_ask_name(PluginWindow *window);
 void plugin_window_save(PluginWindow *window, const char *name);
+/* Asks for the path of a drum's or a kit's file, and takes it. */
+void plugin_window_ask_file(PluginWindow *window);
+void plugin_window_open_file(PluginWindow *window, const char *path);
 
 /* ---- hands: an X11Handler's calls ---- */
 

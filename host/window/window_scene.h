@@ -61,6 +61,8 @@ typedef struct WindowScene {
   WindowControl controls[KNOB_PAGE];
   double meters[2];             /**< of each side, 1: full scale */
   double speed;                 /**< of the next stroke [m/s] */
+  double struck_speed;          /**< of the newest one, by whomever [m/s]; 0: none yet */
+  uint32_t struck_drum;         /**< of a kit: where it fell */
   double glow[TABOR_KIT_DRUMS]; /**< of each drum: 1 when a fast stroke falls, then less */
 
   bool is_kit;

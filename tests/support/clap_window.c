@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap_window.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -80,15 +81,21 @@ void press_key(const Opened *opened, const char *name) {
   tick(opened);
 }
 
-/* Keysyms of digits and letters are called as they are. */
+/* Keysyms of digits and letters are called as they are; capitals take Shift. */
 void type_text(const Opened *opened, const char *text) {
+  static const struct {
+    char letter;
+    const char *name;
+  } names[] = {{'.', "period"}, {'-', "minus"}, {' ', "space"}, {'/', "slash"}};
   for (; *text; text++) {
-    const char *const name = *text == '.'   ? "period"
-                             : *text == '-' ? "minus"
-                             : *text == ' ' ? "space"
-                                            : NULL;
-    press_key(opened, name ? name : (const char[]){*text, '\0'});
+    const char own[] = {*text, '\0'};
+    const char *name = own;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+      if (names[i].letter == *text) name = names[i].name;
+    x11_server_key(&server, opened->inner, name,
+                   isupper((unsigned char)*text) ? XCB_MOD_MASK_SHIFT : 0);
   }
+  tick(opened);
 }
 
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {

@@ -23,6 +23,7 @@
 #include <cmocka.h>
 
 #include "counted_calls.h"
+#include "drums/default_preset.h"
 #include "processor_time.h"
 #include "user_files.h"
 #include "window_checks.h"
@@ -165,6 +166,31 @@ static void the_head_is_seen_to_move(void **state) {
   clap_host_run(opened.host, 64);
   tick(&opened);
   a_stroke_is_seen(&opened, "struck");
+  close_host(&opened);
+}
+
+/* A note's stroke, too: an orange ring around the preset's place, of 6 pixels at first. */
+static void a_note_leaves_its_mark(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM, 1);
+  uint32_t color = 0;
+  TaborDrumDef def;
+  assert_int_equal(tabor_drum_def_preset(&def, DEFAULT_PRESET, NULL), TABOR_OK);
+  const double away = R * def.strike.radius / def.shell.radius;
+  const double angle = def.strike.angle * 3.14159265358979323846 / 180;
+  const int x = (int)lround(MIDDLE_X + away * cos(angle)) + 6;
+  const int y = (int)lround(MIDDLE_Y - away * sin(angle));
+  clap_host_set(opened.host, 0, KNOB_HUMANIZE, 0);
+  clap_host_midi(opened.host, 0, &(MidiMessage){0x99, {38, 100}});
+  clap_host_run(opened.host, 64);
+  tick(&opened);
+  for (int i = 0; i < 500 && ((color >> 16 & 255) < 220 || (color & 255) > 80); i++) {
+    (void)nanosleep(&moment, NULL);
+    color = x11_server_pixel(&server, opened.inner, x, y);
+  }
+  print_message("beside the place of the stroke: %06x\n", color);
+  keep_picture(opened.outer, "note");
+  assert_true((color >> 16 & 255) >= 220 && (color & 255) <= 80);
   close_host(&opened);
 }
 
@@ -494,6 +520,7 @@ static int run(void) {
     cmocka_unit_test(the_wheel_changes_how_fast_strokes_are),
     cmocka_unit_test(what_is_no_head_is_not_struck),
     cmocka_unit_test(the_head_is_seen_to_move),
+    cmocka_unit_test(a_note_leaves_its_mark),
     cmocka_unit_test(it_is_seen_on_another_drum),
     cmocka_unit_test(a_control_turns_and_the_host_is_told),
     cmocka_unit_test(every_microphone_has_a_level),

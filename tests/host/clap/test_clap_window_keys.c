@@ -326,6 +326,27 @@ static void a_sound_is_saved_and_chosen_again(void **state) {
   close_host(&opened);
 }
 
+static void a_file_is_opened_by_its_path(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM);
+  press_key(&opened, "o");
+  type_text(&opened, "/no/such.ini");
+  press_key(&opened, "Return");
+  keep_picture(opened.outer, "no-file");
+  assert_false(state_has(&opened, "name = mine"));
+  press_key(&opened, "o");
+  type_text(&opened, user_file("kit.ini")); /* a kit is no drum */
+  press_key(&opened, "Return");
+  assert_false(state_has(&opened, "name = mine"));
+  press_key(&opened, "o");
+  type_text(&opened, user_file("drum.ini"));
+  press_key(&opened, "Return");
+  assert_true(state_has(&opened, "name = mine"));
+  press_with(&opened, "z", XCB_MOD_MASK_CONTROL);
+  assert_false(state_has(&opened, "name = mine"));
+  close_host(&opened);
+}
+
 static void a_kit_is_saved(void **state) {
   (void)state;
   static TaborKitDef def, standard;
@@ -383,6 +404,8 @@ static int run(void) {
     cmocka_unit_test(every_parameter_of_a_kit_can_be_typed),
     cmocka_unit_test(the_list_of_pages_leads_to_a_page),
     cmocka_unit_test_setup_teardown(a_sound_is_saved_and_chosen_again, user_files_make,
+                                    user_files_remove),
+    cmocka_unit_test_setup_teardown(a_file_is_opened_by_its_path, user_files_make,
                                     user_files_remove),
     cmocka_unit_test_setup_teardown(a_kit_is_saved, user_files_make, user_files_remove),
     cmocka_unit_test(levels_are_mute_and_solo),

@@ -29,12 +29,25 @@ static json_t *value_json(const TaborParameter *parameter, const char *value) {
   return json_loads(value, JSON_DECODE_ANY | JSON_DECODE_INT_AS_REAL, NULL);
 }
 
+/* The words of a choice, in their order; null of anything else. */
+static json_t *choices_json(const TaborParameter *parameter) {
+  const char *word = parameter->choices;
+  if (!word) return json_null();
+  json_t *list = json_array();
+  for (size_t length; *word; word += length + (word[length] == '|')) {
+    length = strcspn(word, "|");
+    list = json_with_item(list, json_stringn(word, length));
+  }
+  return list;
+}
+
 static json_t *entry_json(const char *key, const char *value) {
   const TaborParameter *const parameter = tabor_parameter_find(key);
-  return json_pack("{s:s, s:o, s:s, s:o, s:o, s:b, s:s}", "key", key, "value",
+  return json_pack("{s:s, s:o, s:s, s:o, s:o, s:o, s:b, s:s}", "key", key, "value",
                    value_json(parameter, value), "unit", parameter->unit, "minimum",
                    json_number(parameter->minimum), "maximum", json_number(parameter->maximum),
-                   "live", (int)parameter->live, "text", parameter->text);
+                   "choices", choices_json(parameter), "live", (int)parameter->live, "text",
+                   parameter->text);
 }
 
 static Outcome print_json(const TaborDrumDef *def) {

@@ -139,7 +139,7 @@ done
 refused "drum.comment: the text is longer than 255 bytes" show --set "drum.comment=$(printf 'x%.0s' {1..256})"
 done_quietly show --json
 same "show as JSON" "name parameters" "$(json keys)"
-same "keys of a parameter" "key value unit minimum maximum live text" "$(json parameters.0.keys)"
+same "keys of a parameter" "key value unit minimum maximum choices live text" "$(json parameters.0.keys)"
 
 # ---- modes ----
 

@@ -17,6 +17,7 @@ typedef struct Unit {
 static const Unit UNITS[] = {{"mm", "m", 1e-3},  {"g", "kg", 1e-3}, {"m", "m", 1},
                              {"kg", "kg", 1},    {"cm", "m", 1e-2}, {"in", "m", 0.0254},
                              {"\"", "m", 0.0254}};
+static const char BY_TENSION[] = "by tension"; /* a pitch of 0 */
 enum { UNIT_COUNT = sizeof UNITS / sizeof *UNITS, SMALL_UNITS = 2 };
 
 static bool is_pitch(const TaborParameter *parameter) {
@@ -36,7 +37,8 @@ int key_text(const TaborParameter *parameter, const char *value, char *text, siz
   const double number = strtod(value, &end);
   const bool is_number = parameter->type == TABOR_TYPE_NUMBER && end != value && *end == '\0';
   if (!is_number) return snprintf(text, size, "%s", value);
-  if (is_pitch(parameter) && number > 0) return pitch_text(number, text, size);
+  if (is_pitch(parameter) && number == 0) return snprintf(text, size, "%s", BY_TENSION);
+  if (is_pitch(parameter)) return pitch_text(number, text, size);
   const Unit *const unit = small_unit(parameter, number);
   if (unit) return snprintf(text, size, "%.6g %s", number / unit->factor, unit->name);
   return snprintf(text, size, "%.6g%s%s", number, *parameter->unit ? " " : "", parameter->unit);
@@ -62,6 +64,7 @@ bool key_text_read(const TaborParameter *parameter, const char *value, const cha
   double number = strtod(typed, &end), frequency;
   (void)snprintf(text, size, "%s", typed);
   if (parameter->type != TABOR_TYPE_NUMBER) return true;
+  if (is_pitch(parameter) && strcmp(typed, BY_TENSION) == 0) return write_number(0, text, size);
   if (is_pitch(parameter) && pitch_read(typed, &frequency))
     return write_number(frequency, text, size);
   if (end == typed) return true;

@@ -2,7 +2,8 @@
 /**
  * @file key_text.h
  * Values of the engine's parameters as players read and type them: lengths below 1 m in
- * millimetres, masses below 1 kg in grams, pitches as notes, the rest with the unit of the table.
+ * millimetres, masses below 1 kg in grams, pitches as notes, or "by tension" where that leads, the
+ * rest with the unit of the table.
  *
  * SET-UP: all functions.
  */

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "plugin/choice_text.h"
 #include "plugin/knob.h"
@@ -23,7 +24,9 @@ static KnobRange range_of(const TaborParameter *parameter) {
 double key_position(const TaborParameter *parameter, const char *value) {
   const KnobRange range = range_of(parameter);
   double place = 0;
+  const bool is_pitch = strcmp(parameter->key, "pitch") == 0;
   if (parameter->type == TABOR_TYPE_TEXT || !*value) return -1;
+  if (is_pitch && strtod(value, NULL) == 0) return -1; /* the tension leads */
   if (parameter->type != TABOR_TYPE_CHOICE)
     return fmin(fmax(knob_position(&range, strtod(value, NULL)), 0), 1);
   const uint32_t count = choice_count(parameter->choices);

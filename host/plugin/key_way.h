@@ -12,7 +12,8 @@
 #include <stddef.h>
 #include <tabor/tabor.h>
 
-/** Where a value, as the engine writes it, stands; negative: it has no place, as a text. */
+/** Where a value, as the engine writes it, stands; negative: it has no place, as a text, or a pitch
+ * that follows from the tension. */
 double key_position(const TaborParameter *parameter, const char *value);
 /** Writes the value at a place of one that has places: a number of four digits, a whole one, or a
  * word. */

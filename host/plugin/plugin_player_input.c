@@ -311,12 +311,16 @@ void plugin_player_take(PluginPlayer *player, const MidiMessage *midi, uint32_t 
   for (uint32_t i = 0; i < count; i++) act(player, &actions[i], ahead);
 }
 
+/* A negative place is the drum's own, as of a note. */
 void plugin_player_strike(PluginPlayer *player, double velocity, double radius, double angle) {
-  const PlayerMessage message = {.type = PLAYER_EVENT,
-                                 .event = {.type = TABOR_EVENT_STRIKE,
-                                           .velocity = velocity,
-                                           .radius = radius * player->midi.binding.head_radius,
-                                           .angle = angle}};
+  const MidiBinding *const binding = &player->midi.binding;
+  const bool is_placed = radius >= 0;
+  const PlayerMessage message = {
+    .type = PLAYER_EVENT,
+    .event = {.type = TABOR_EVENT_STRIKE,
+              .velocity = velocity,
+              .radius = is_placed ? radius * binding->head_radius : binding->radius,
+              .angle = is_placed ? angle : binding->angle}};
   if (player->core.drum && player->count < PLUGIN_MESSAGES) plugin_player_act_now(player, &message);
 }
 

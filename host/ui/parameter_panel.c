@@ -11,7 +11,8 @@
 enum { KEY_SIZE = 2 * TABOR_NAME_SIZE, VALUE_SIZE = 2 * TABOR_TEXT_SIZE };
 enum { VALUE_COLUMN = 34, TEXT_COLUMN = 52 };
 
-static const double STEP = 0.02; /* of a parameter's way */
+static const char FIRST[] = "batter.tension"; /* that is chosen at first */
+static const double STEP = 0.02;              /* of a parameter's way */
 
 /* ---- keys of the definition ----------------------------------------------------------------- */
 
@@ -83,11 +84,12 @@ static void write_shown(const TaborDrumDef *def, const char *key, char *text, si
   }
 }
 
-static PanelWish begin_typing(const TaborDrumDef *def, const char *key, char *command) {
-  char text[VALUE_SIZE];
-  write_shown(def, key, text, sizeof text);
-  (void)snprintf(command, PANEL_COMMAND_SIZE, "set %s %s", key, text);
-  return PANEL_TYPE;
+static void open_at_tuning(ParameterPanel *panel, const TaborDrumDef *def) {
+  char key[KEY_SIZE];
+  panel->is_open = true;
+  if (panel->at > 0) return; /* where it was left */
+  for (int64_t i = 0; key_at(def, i, key); i++)
+    if (strcmp(key, FIRST) == 0) panel->at = (uint32_t)i;
 }
 
 static PanelWish take_open(ParameterPanel *panel, const TaborDrumDef *def, Key pressed,
@@ -102,7 +104,7 @@ static PanelWish take_open(ParameterPanel *panel, const TaborDrumDef *def, Key p
   case KEY_PAGE_DOWN: move_section(panel, def, 1); return PANEL_DONE;
   case KEY_LEFT: return write_turned(def, key, -1, command) ? PANEL_RUN : PANEL_DONE;
   case KEY_RIGHT: return write_turned(def, key, 1, command) ? PANEL_RUN : PANEL_DONE;
-  case KEY_ENTER: return begin_typing(def, key, command);
+  case KEY_ENTER: (void)snprintf(command, PANEL_COMMAND_SIZE, "set %s ", key); return PANEL_TYPE;
   default: return PANEL_NOTHING;
   }
 }
@@ -110,7 +112,11 @@ static PanelWish take_open(ParameterPanel *panel, const TaborDrumDef *def, Key p
 PanelWish parameter_panel_take(ParameterPanel *panel, const TaborDrumDef *def, Key key,
                                char *command) {
   if (key != KEY_TAB) return panel->is_open ? take_open(panel, def, key, command) : PANEL_NOTHING;
-  panel->is_open = !panel->is_open;
+  if (panel->is_open) {
+    panel->is_open = false;
+  } else {
+    open_at_tuning(panel, def);
+  }
   return PANEL_DONE;
 }
 

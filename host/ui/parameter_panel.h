@@ -29,9 +29,10 @@ typedef enum PanelWish {
 } PanelWish;
 
 /**
- * Tab opens and closes the panel. While it is open, up and down choose a parameter, Page up and
- * Page down the next section, left and right turn it by 2 % of its way, and Enter begins to type
- * over its value. @p command, of PANEL_COMMAND_SIZE bytes, is "set KEY VALUE".
+ * Tab opens and closes the panel, at first at the tension of the batter head. While it is open, up
+ * and down choose a parameter, Page up and Page down the next section, left and right turn it by
+ * 2 % of its way, and Enter begins to type its value. @p command, of PANEL_COMMAND_SIZE bytes, is
+ * "set KEY VALUE".
  */
 PanelWish parameter_panel_take(ParameterPanel *panel, const TaborDrumDef *def, Key key,
                                char *command);

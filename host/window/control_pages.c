@@ -37,9 +37,11 @@ static uint32_t keys_of_section(const ControlPages *pages, uint32_t first) {
   return count;
 }
 
-static void number_page(char name[TABOR_NAME_SIZE], uint32_t number) {
-  const size_t length = strlen(name);
-  (void)snprintf(name + length, TABOR_NAME_SIZE - length, " %u", number);
+/* "batter: damping 0", by its first key. */
+static void name_part(char name[TABOR_NAME_SIZE], const char *key) {
+  const size_t length = strlen(name), section = section_length(key);
+  (void)snprintf(name + length, TABOR_NAME_SIZE - length, ": %s", key + section + (section > 0));
+  for (char *mark = strchr(name + length, '_'); mark; mark = strchr(mark, '_')) *mark = ' ';
 }
 
 static void add_section(ControlPages *pages, uint32_t first, uint32_t count) {
@@ -48,7 +50,7 @@ static void add_section(ControlPages *pages, uint32_t first, uint32_t count) {
     page->first = first + done;
     page->count = count - done < KNOB_PAGE ? count - done : KNOB_PAGE;
     name_section(pages->keys[first], page->name);
-    if (count > KNOB_PAGE) number_page(page->name, done / KNOB_PAGE + 1);
+    if (count > KNOB_PAGE) name_part(page->name, pages->keys[page->first]);
   }
 }
 

@@ -10,6 +10,7 @@ static const double PI = 3.14159265358979323846;
 static const Box FLOOR = {20, 20, 370, 370};
 static const double SIDEWAYS = 45;     /* [deg]: a drum that is tilted by more shows its shell */
 static const double NAME_PLACE = 0.85; /* of a drum's depth */
+static const double BELL = 0.22;       /* radius of a cymbal's, of its own */
 static const double NAME_SIZE = 11, TEXT_SIZE = 13; /* of letters: names, and all else */
 
 static bool is_sideways(const WindowDrum *drum) {
@@ -102,16 +103,33 @@ static void trace_drum(cairo_t *cairo, const Floor *floor, const WindowDrum *dru
   cairo_restore(cairo);
 }
 
+/* A shell's wood, a cymbal's bronze, a head. */
+static const double *color_of(const WindowDrum *drum) {
+  static const double WOOD[3] = {0.36, 0.30, 0.26}, BRONZE[3] = {0.80, 0.66, 0.36},
+                      HEAD[3] = {0.74, 0.725, 0.69};
+  if (drum->is_plate) return BRONZE;
+  return is_sideways(drum) ? WOOD : HEAD;
+}
+
+static void draw_bell(cairo_t *cairo, const Floor *floor, const WindowDrum *drum) {
+  cairo_new_path(cairo);
+  cairo_arc(cairo, across(floor, drum->x), down(floor, drum->y), BELL * floor->scale * drum->radius,
+            0, 2 * PI);
+  cairo_set_source_rgba(cairo, 0.30, 0.22, 0.08, 0.6);
+  cairo_set_line_width(cairo, 1);
+  cairo_stroke(cairo);
+}
+
 static void draw_drum(cairo_t *cairo, const Floor *floor, const WindowDrum *drum, double glow) {
   trace_drum(cairo, floor, drum);
-  const double rest[3] = {is_sideways(drum) ? 0.36 : 0.74, is_sideways(drum) ? 0.30 : 0.725,
-                          is_sideways(drum) ? 0.26 : 0.69};
+  const double *const rest = color_of(drum);
   cairo_set_source_rgb(cairo, rest[0] + glow * (0.95 - rest[0]), rest[1] + glow * (0.62 - rest[1]),
                        rest[2] + glow * (0.20 - rest[2]));
   cairo_fill_preserve(cairo);
   cairo_set_source_rgb(cairo, 0.50, 0.52, 0.55);
-  cairo_set_line_width(cairo, 4);
+  cairo_set_line_width(cairo, drum->is_plate ? 1.5 : 4);
   cairo_stroke(cairo);
+  if (drum->is_plate) draw_bell(cairo, floor, drum);
   double x = across(floor, drum->x), y = down(floor, drum->y);
   if (is_sideways(drum)) { /* at its far end, where no tom hangs over it */
     x -= NAME_PLACE * floor->scale * drum->depth * cos(drum->facing * PI / 180);

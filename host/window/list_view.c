@@ -136,7 +136,7 @@ static void draw_entry(const ListView *list, const ListLine *line, cairo_t *cair
   cairo_set_font_size(cairo, SMALL_TEXT);
   paint_text_in(cairo, PLACE.x + MARGIN, y + TEXT_DOWN, room, line->text);
   cairo_set_font_size(cairo, USUAL_TEXT);
-  if (list->has_stars) draw_star(cairo, y, line->is_favourite);
+  if (list->has_stars && !line->is_action) draw_star(cairo, y, line->is_favourite);
 }
 
 static void draw_category(const ListLine *line, cairo_t *cairo, double y) {

@@ -18,6 +18,7 @@
 /** A line: a category, or an entry below it. */
 typedef struct ListLine {
   bool is_category, is_file, is_favourite;
+  bool is_action;  /**< no sound: it has no star */
   uint32_t number; /**< what the list's owner knows it by */
   char name[TABOR_NAME_SIZE], text[TABOR_TEXT_SIZE];
 } ListLine;

@@ -51,18 +51,24 @@ void paint_text(cairo_t *cairo, double x, double y, Align align, const char *tex
   cairo_show_text(cairo, text);
 }
 
-void paint_text_in(cairo_t *cairo, double x, double y, double room, const char *text) {
-  cairo_save(cairo);
-  cairo_rectangle(cairo, x, y - 2 * USUAL_TEXT, room, 3 * USUAL_TEXT);
-  cairo_clip(cairo);
-  paint_text(cairo, x, y, AT_LEFT, text);
-  cairo_restore(cairo);
-}
-
 static bool fits(cairo_t *cairo, const char *text, double room) {
   cairo_text_extents_t size;
   cairo_text_extents(cairo, text, &size);
   return size.x_advance <= room;
+}
+
+static bool is_inside_letter(char byte) { return ((unsigned char)byte & 0xC0u) == 0x80u; }
+
+void paint_text_in(cairo_t *cairo, double x, double y, double room, const char *text) {
+  char cut[512];
+  size_t length = strlen(text);
+  (void)snprintf(cut, sizeof cut, "%s", text);
+  while (length > 0 && !fits(cairo, cut, room)) {
+    do length--;
+    while (length > 0 && is_inside_letter(text[length]));
+    (void)snprintf(cut, sizeof cut, "%.*s...", (int)length, text);
+  }
+  paint_text(cairo, x, y, AT_LEFT, cut);
 }
 
 /* Takes as many words of @p text as fit, at least one; returns what is left. */
@@ -109,11 +115,12 @@ void paint_switch(cairo_t *cairo, const Box *box, const char *letter, bool is_li
   cairo_set_font_size(cairo, USUAL_TEXT);
 }
 
-void paint_way(cairo_t *cairo, const Box *way, double position) {
+void paint_way(cairo_t *cairo, const Box *way, double position, bool is_lit) {
   const Box done = {way->x, way->y, position * way->width, way->height};
   field(cairo);
   paint_box(cairo, way);
-  accent(cairo);
+  pale(cairo);
+  if (is_lit) accent(cairo);
   paint_box(cairo, &done);
 }
 

@@ -49,7 +49,7 @@ void alarm(cairo_t *cairo);
 /** Empties the window, and sets scale and font. */
 void paint_paper(cairo_t *cairo, double scale);
 void paint_text(cairo_t *cairo, double x, double y, Align align, const char *text);
-/** From @p x on, cut where @p room ends. */
+/** From @p x on; what is longer than @p room ends in dots. */
 void paint_text_in(cairo_t *cairo, double x, double y, double room, const char *text);
 /** In lines around @p x, at most @p room wide, the first at @p y; what is too long is cut. */
 void paint_lines(cairo_t *cairo, double x, double y, double room, uint32_t most, const char *text);
@@ -58,8 +58,8 @@ void paint_box(cairo_t *cairo, const Box *box);
 void paint_focus(cairo_t *cairo, const Box *box);
 /** A small square with a letter, as of a mixer's row; lit while it acts. */
 void paint_switch(cairo_t *cairo, const Box *box, const char *letter, bool is_lit);
-/** The part of a control's way up to @p position. */
-void paint_way(cairo_t *cairo, const Box *way, double position);
+/** The part of a control's way up to @p position, lit or grey. */
+void paint_way(cairo_t *cairo, const Box *way, double position, bool is_lit);
 void paint_button(cairo_t *cairo, Button button, const char *text, bool lit);
 /** The button at a place, or BUTTON_COUNT. */
 Button button_at(double x, double y);

@@ -87,10 +87,13 @@ static void draw_control(cairo_t *cairo, const WindowScene *scene, uint32_t row)
   if (!control->is_idle) ink(cairo);
   if (is_typed) {
     draw_typed(cairo, LEFT + WIDE, y + TEXT_DOWN, scene->typed);
-  } else {
+  } else if (control->position >= 0) {
     paint_text(cairo, LEFT + WIDE, y + TEXT_DOWN, AT_RIGHT, control->value);
+  } else { /* a text, which may be long */
+    paint_text_in(cairo, LEFT, y + WAY_DOWN + WAY_HIGH, WIDE, control->value);
   }
-  if (control->position >= 0) paint_way(cairo, &way, control->is_idle ? 0 : control->position);
+  if (control->position >= 0)
+    paint_way(cairo, &way, control->is_idle ? 0 : control->position, !control->is_quiet);
   if (scene->focus == row) paint_focus(cairo, &(Box){LEFT - 5, y - 1, WIDE + 10, ROW - 6});
 }
 
@@ -103,8 +106,8 @@ static int write_struck(const WindowScene *scene, char *text, size_t size) {
     return snprintf(text, size, "%s struck at %.1f m/s; ", scene->drums[scene->struck_drum].name,
                     scene->struck_speed);
   if (scene->is_kit) return 0;
-  return snprintf(text, size, "struck at %.1f m/s, %.0f %% of the radius out; ",
-                  scene->struck_speed, 100 * scene->struck[0]);
+  return snprintf(text, size, "struck at %.1f m/s, %.0f %% out; ", scene->struck_speed,
+                  100 * scene->struck[0]);
 }
 
 static void say_usual(const WindowScene *scene, char *text, size_t size) {
@@ -112,8 +115,8 @@ static void say_usual(const WindowScene *scene, char *text, size_t size) {
     drum_picture_say_mic(&scene->mics[scene->mic], text, size);
   } else {
     const int told = write_struck(scene, text, size);
-    (void)snprintf(text + told, size - (size_t)told,
-                   "click to strike at %.1f m/s; the wheel changes it; ? shows keys", scene->speed);
+    (void)snprintf(text + told, size - (size_t)told, "click: %.1f m/s, wheel changes it; ?: keys",
+                   scene->speed);
   }
 }
 

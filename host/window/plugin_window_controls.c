@@ -211,6 +211,7 @@ void plugin_window_type_control(PluginWindow *window, uint32_t number) {
   line_editor_begin(&window->editor);
   line_editor_replace(&window->editor, 0, control->value);
   window->typing = TYPING_VALUE;
+  window->is_offered = true;
   window->scene.typed_at = window->scene.focus = number;
 }
 

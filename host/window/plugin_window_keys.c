@@ -17,6 +17,9 @@ static void end_typing(PluginWindow *window, bool is_taken) {
 }
 
 static void type(PluginWindow *window, Key key) {
+  const bool is_letter = key >= ' ' && key < KEY_UNKNOWN;
+  if (window->is_offered && is_letter) line_editor_begin(&window->editor);
+  window->is_offered = false;
   const LineOutcome outcome = line_editor_take(&window->editor, key);
   if (outcome != LINE_EDITING) end_typing(window, outcome == LINE_DONE);
 }

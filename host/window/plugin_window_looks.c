@@ -137,7 +137,8 @@ static void note_kit_drum(const TaborKitDrumDef *drum, WindowDrum *shown) {
                         .radius = drum->def.shell.radius,
                         .depth = drum->def.shell.depth,
                         .tilt = drum->tilt,
-                        .facing = drum->facing};
+                        .facing = drum->facing,
+                        .is_plate = drum->def.body.kind != TABOR_BODY_DRUM};
   memcpy(shown->name, drum->name, sizeof shown->name);
 }
 
@@ -179,13 +180,15 @@ static void show_knob(PluginWindow *window, uint32_t id, WindowControl *shown) {
   const Knob *const knob = &kind->knobs[id];
   const KnobRange *const range = &instrument_of(window)->ranges[id];
   const float value = value_of(window, id);
-  const double now = knob_decimal(value);
   if (knob->is_level) mixer_note(&window->mixer, kind, id, value);
+  const bool is_quiet = window->mixer.is_off[id];
+  const double now = knob_decimal(is_quiet ? window->mixer.level[id] : value);
   *shown = (WindowControl){.knob = id,
                            .comment = knob->comment,
                            .position = knob_position(range, now),
                            .is_idle = window->is_idle[id],
                            .is_level = knob->is_level,
+                           .is_quiet = is_quiet,
                            .is_mute = window->mixer.is_mute[id],
                            .is_solo = window->mixer.is_solo[id]};
   (void)snprintf(shown->name, WINDOW_TEXT, "%s", name_of(window, id));

@@ -37,6 +37,14 @@ void plugin_window_step(PluginWindow *window, int steps) {
 /* The list stays open, so that one sound after the other can be tried. */
 static void choose_sound(PluginWindow *window, const ListLine *line) {
   PresetPlace place;
+  if (line->is_action) {
+    if (line->number == SOUND_LIST_SAVE) {
+      plugin_window_ask_name(window);
+    } else {
+      plugin_window_ask_file(window);
+    }
+    return;
+  }
   if (!sound_list_place(line, &place)) return;
   preset_steps_choose(&window->steps, line->is_file ? line->name : "");
   choose_place(window, &place, line->name);
@@ -102,7 +110,7 @@ void plugin_window_choose(PluginWindow *window, const ListLine *line) {
 void plugin_window_star(PluginWindow *window, const ListLine *line) {
   const ListView before = {.first = window->list.first, .cursor = window->list.cursor};
   const uint32_t count = window->list.count;
-  if (window->listed != LIST_SOUNDS) return;
+  if (window->listed != LIST_SOUNDS || line->is_action) return;
   if (!favourites_change(&window->favourites, line->name))
     plugin_window_say(window, true, "the file of favourites cannot be written");
   sound_list_fill(&window->list, window->shell.instrument->kind, &window->favourites);
@@ -153,6 +161,7 @@ void plugin_window_ask_name(PluginWindow *window) {
   line_editor_begin(&window->editor);
   line_editor_replace(&window->editor, 0, window->scene.title);
   window->typing = TYPING_NAME;
+  window->is_offered = true;
   window->scene.typed_at = WINDOW_NO_CONTROL;
   *window->overwritten = '\0';
   plugin_window_say(window, false, "save as:");
@@ -166,9 +175,10 @@ static bool is_built_in(const InstrumentKind *kind, const char *name) {
 
 /* A name that a file can have on every system. */
 static bool is_fit(const char *name) {
-  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_.";
+  static const char letters[] =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_. ";
   const size_t length = strlen(name);
-  return length > 0 && length < TABOR_NAME_SIZE && name[0] != '.' &&
+  return length > 0 && length < TABOR_NAME_SIZE && !strchr(". ", name[0]) &&
          strspn(name, letters) == length;
 }
 
@@ -176,7 +186,8 @@ static bool may_save(PluginWindow *window, const char *name) {
   char path[USER_PRESET_PATH];
   const bool is_there = user_preset_find(name, path) != NULL;
   if (!is_fit(name)) {
-    plugin_window_say(window, true, "'%.40s': a name has letters, digits, '-', '_' and '.'", name);
+    plugin_window_say(window, true, "'%.40s': a name has letters, digits, '-', '_', '.' and spaces",
+                      name);
   } else if (is_built_in(window->shell.instrument->kind, name)) {
     plugin_window_say(window, true, "'%s' is a built-in sound: take a name of your own", name);
   } else if (is_there && strcmp(name, window->overwritten) != 0) {

@@ -60,6 +60,7 @@ struct PluginWindow {
   /* the keys */
   LineEditor editor;
   WindowTyping typing;
+  bool is_offered;                   /* the first letter takes the place of what stands there */
   char overwritten[TABOR_NAME_SIZE]; /* a file of the user's that the next Enter replaces */
   char turned[DEFINITION_KEY];       /* what was turned last by steps, which undo takes as one */
 };

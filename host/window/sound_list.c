@@ -54,9 +54,22 @@ static void add_files(ListView *list, const InstrumentKind *kind) {
   end_category(list, first);
 }
 
+static ListLine action(const ListLine *line, uint32_t number) {
+  ListLine changed = *line;
+  changed.number = number;
+  changed.is_action = true;
+  return changed;
+}
+
+static void add_files_lines(ListView *list) {
+  ListLine *const save = list_view_add(list, "Save this sound...", "under a name of your own (W)");
+  if (save) *save = action(save, SOUND_LIST_SAVE);
+  ListLine *const open = list_view_add(list, "Open a file...", "by its path (O)");
+  if (open) *open = action(open, SOUND_LIST_OPEN);
+}
+
 /* Before all others, where they appear as well. */
-static void add_favourites(ListView *list, const Favourites *favourites) {
-  const uint32_t all = list->count;
+static void add_favourites(ListView *list, const Favourites *favourites, uint32_t all) {
   list_view_add_category(list, "favourites");
   const uint32_t first = list->count;
   for (uint32_t i = 0; i < all; i++) {
@@ -86,7 +99,8 @@ void sound_list_fill(ListView *list, const InstrumentKind *kind, const Favourite
   add_categories(list, kind);
   add_files(list, kind);
   const uint32_t all = list->count;
-  add_favourites(list, favourites);
+  add_files_lines(list);
+  add_favourites(list, favourites, all);
   put_in_front(list, all);
 }
 

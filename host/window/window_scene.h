@@ -30,6 +30,7 @@ typedef struct WindowControl {
   double position;                 /**< part of its way, 0 to 1; negative: it has none, as a text */
   bool is_idle;                    /**< of a part that is not there: it cannot be turned */
   bool is_level, is_mute, is_solo; /**< of a mixer */
+  bool is_quiet;                   /**< the mixer has turned it off: it stands where it will be */
 } WindowControl;
 
 /** A microphone: distance from the axis, height above the batter head [m], and angle [deg]. */
@@ -43,6 +44,7 @@ typedef struct WindowMic {
 typedef struct WindowDrum {
   char name[TABOR_NAME_SIZE];
   double x, y, height, radius, depth, tilt, facing;
+  bool is_plate; /**< a cymbal */
 } WindowDrum;
 
 typedef struct WindowScene {

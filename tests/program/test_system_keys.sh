@@ -96,8 +96,8 @@ types 'type :' 'type set wires.asdf' 'wait :set wires.asdf' 'type \x15\x7f' 'gon
 same "no strokes while typing" 0 "$(strokes)"
 # ---- the list of parameters ----
 
-types 'type \t' 'wait Tab closes' 'wait what the drum is called' 'type \e[6~\e[6~' 'wait radius of the heads' \
-  'type \r' 'wait :set shell.radius 200 mm' 'type \x15set shell.radius 8 in\r' 'wait shell.radius = 0.2032 m' \
+types 'type \t' 'wait Tab closes' 'wait tension of the head' 'type \e[5~' 'wait radius of the heads' \
+  'type \r' 'wait :set shell.radius' 'type 8 in\r' 'wait shell.radius = 0.2032 m' \
   'type \e[6~\e[C' 'wait batter.tension = ' 'type a' 'wait Tab closes' 'type \t' 'wait ? help'
 same "a key plays on while the list is open" 1 "$(strokes)"
 

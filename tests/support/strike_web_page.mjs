@@ -213,7 +213,7 @@ async function playKit(browser) {
   const snare = await controlsOf(page);
   await page.evaluate(() => { document.getElementById("batter-pitch").max = 36; });
   await page.getByRole("slider", { name: /^Batter head/ }).press("End"); // more than its tension may be
-  await status(page, "Ready, drum.snare.batter.pitch is C5-3: its head can go no further");
+  await status(page, "Ready, the snare batter head goes no further than C5-3");
   if ((await controlsOf(page)) === snare) complain(`a pitch that is too high goes back to ${snare}`);
   if (!page.url().includes("drum.snare.batter.pitch=C5-3")) complain(`a pitch that is too high is in the link: ${page.url()}`);
   await page.locator("#drum").press("g");
@@ -354,7 +354,7 @@ async function followLinks(browser) {
   for (const [pitch, note] of [["A8", "C5-3"], ["C0", "G1-28"]]) { // of 48.2 to 522.5 Hz
     await page.goto("about:blank");
     await page.goto(`${address}#drum=snare-14x5.5&quality=draft&batter.pitch=${pitch}`);
-    await status(page, `Ready, batter.pitch is ${note}: its head can go no further`);
+    await status(page, `Ready, the batter head goes no further than ${note}`);
     const shown = (await page.locator("#batter-pitch-text").textContent()).replace("−", "-");
     if (!shown.startsWith(`${note.replace("-", " -")} cents`)) complain(`${note} is shown as ${shown}`);
   }

@@ -93,7 +93,8 @@ function controlsOf(definition) {
 function looksOf({ number }) {
   return {
     radius: number("shell.radius"), // [m]
-    lugs: number("batter.lug_count"),
+    isPlate: number("plate.thickness") > 0, // a cymbal
+    lugs: number("plate.thickness") > 0 ? 0 : number("batter.lug_count"),
     wires: {
       count: number("wires.count"),
       length: number("wires.length"), // [m]

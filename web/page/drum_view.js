@@ -118,6 +118,7 @@ export class DrumView {
       this.#drawHoop(context, color, this.#drums[i]);
       this.#drawHead(context, color, i);
       this.#drawWires(context, color, this.#drums[i]);
+      if (this.#drums.length > 1) this.#drawName(context, color, this.#drums[i].name);
       this.#drawMarks(context, color, i, now);
     }
     if (this.#marks.length > 0) this.#ask();
@@ -138,12 +139,28 @@ export class DrumView {
     context.stroke();
   }
 
+  /** A cymbal's middle. */
+  #drawBell(context, color) {
+    context.strokeStyle = color("hoop");
+    context.lineWidth = 0.02;
+    context.stroke(new Path2D(`M 0.22 0 A 0.22 0.22 0 1 0 0.22 0.0001`));
+  }
+
+  /** Of the drums of a kit, below their middle. */
+  #drawName(context, color, name) {
+    context.fillStyle = color("text");
+    context.font = "0.2px system-ui, sans-serif";
+    context.textAlign = "center";
+    context.fillText(name, 0, 0.55, 1.7);
+  }
+
   /** The louder it sounds, the brighter. */
   #drawHead(context, color, drum) {
     context.beginPath();
     context.arc(0, 0, 1, 0, TURN);
-    context.fillStyle = color("head");
+    context.fillStyle = color(this.#drums[drum].isPlate ? "brass" : "head");
     context.fill();
+    if (this.#drums[drum].isPlate) this.#drawBell(context, color);
     if (this.#heights?.drum === drum) return this.#drawHeights(context, color);
     context.globalAlpha = 0.5 * (1 - this.#level / FLOOR);
     context.fillStyle = color("glow");

@@ -229,7 +229,7 @@ function useDrum(built) {
 
 /* What is not as it was asked for. */
 function remarks() {
-  const limits = facts.limited.map(([key, note]) => `${key} is ${note}: its head can go no further`);
+  const limits = facts.limited.map(([key, note]) => `the ${key.replace("drum.", "").replace(".pitch", " head").replaceAll(".", " ")} goes no further than ${note}`);
   return refused ? [`but not as the address says: ${refused}`, ...limits] : limits;
 }
 

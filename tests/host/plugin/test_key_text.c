@@ -30,7 +30,7 @@ static void values_are_shown_for_players(void **state) {
   assert_string_equal(shown("shell.mass", "4"), "4 kg");
   assert_string_equal(shown("batter.tension", "3360"), "3360 N/m");
   assert_string_equal(shown("batter.pitch", "440"), "A4");
-  assert_string_equal(shown("batter.pitch", "0"), "0 Hz");
+  assert_string_equal(shown("batter.pitch", "0"), "by tension");
   assert_string_equal(shown("body.kind", "plate"), "plate");
   assert_string_equal(shown("batter.lug_count", "10"), "10");
 }
@@ -47,6 +47,7 @@ static void typed_values_convert(void **state) {
   assert_string_equal(read_as("striker.stick.mass", "0.011", "0.012 kg"), "0.012");
   assert_string_equal(read_as("batter.tension", "3360", "3400 N/m"), "3400");
   assert_string_equal(read_as("batter.pitch", "0", "A3"), "220");
+  assert_string_equal(read_as("batter.pitch", "220", "by tension"), "0");
   assert_string_equal(read_as("body.kind", "drum", "plate"), "plate");
 }
 

@@ -31,8 +31,9 @@ static const char *chosen(void) {
   return key;
 }
 
-/* Walks until the key is chosen. */
+/* Walks from the first until the key is chosen. */
 static void choose(const char *key) {
+  for (int i = 0; i < 1000; i++) (void)take(KEY_UP);
   for (int i = 0; i < 1000 && strcmp(chosen(), key) != 0; i++)
     assert_int_equal(take(KEY_DOWN), PANEL_DONE);
   assert_string_equal(chosen(), key);
@@ -51,8 +52,10 @@ static void closed_it_leaves_keys_alone(void **state) {
 static void parameters_are_chosen(void **state) {
   (void)state;
   (void)take(KEY_TAB);
-  (void)take(KEY_UP);
-  assert_int_equal(panel.at, 0);
+  assert_string_equal(chosen(), "batter.tension");
+  (void)take(KEY_TAB);
+  (void)take(KEY_TAB);
+  assert_string_equal(chosen(), "batter.tension");
   choose("shell.depth");
   (void)take(KEY_PAGE_DOWN);
   assert_string_equal(chosen(), "batter.tension");
@@ -73,7 +76,7 @@ static void commands_turn_and_type(void **state) {
   (void)take(KEY_TAB);
   choose("shell.depth");
   assert_int_equal(take(KEY_ENTER), PANEL_TYPE);
-  assert_string_equal(command, "set shell.depth 139.7 mm");
+  assert_string_equal(command, "set shell.depth ");
   choose("wires.strainer");
   assert_int_equal(take(KEY_LEFT), PANEL_RUN);
   assert_string_equal(command, "set wires.strainer 0.98");

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #include "plugin/plugin_run.h"
 
+#include <math.h>
 #include <string.h>
 #include <time.h>
+
+#include "platform/clock.h"
 
 #define PAUSE 1000000 /* [ns] for another thread that is at work already */
 
@@ -81,10 +84,24 @@ void plugin_run_waiting(PluginRun *run) {
   } while (!go_on(run));
 }
 
+static double now(void) REALTIME;
+static double now(void) { return stopwatch_seconds(CLOCK_MONOTONIC); }
+
+/* What the block took, for the window. */
+static void note_load(const PluginRun *run, double began) REALTIME;
+static void note_load(const PluginRun *run, double began) {
+  WindowLink *const link = &run->instrument->window;
+  if (run->frames == 0 || !atomic_load(&link->is_shown)) return;
+  const double load = (now() - began) * run->instrument->rate / run->frames;
+  atomic_store(&link->load, fmaxf((float)load, atomic_load(&link->load)));
+}
+
 bool plugin_run_live(PluginRun *run) {
+  const double began = now();
   calls_of(run)->export_sound(run->instrument, false);
   const bool asks = keep_up(run->instrument);
   (void)go_on(run);
+  note_load(run, began);
   return asks;
 }
 

@@ -30,6 +30,9 @@ typedef struct WindowLink {
   atomic_bool is_stale; /**< the view is of another model than the drum */
   _Atomic float peaks[2];
   _Atomic float
+    load; /**< largest computing time of a block as a share of its length, likewise until
+                         the window takes it */
+  _Atomic float
     struck[TABOR_KIT_DRUMS]; /**< speed of the fastest stroke [m/s] until the window takes it */
   _Atomic float place[2];    /**< of the newest stroke of one drum: [m] from the centre, [deg] */
 } WindowLink;

@@ -3,6 +3,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "window/drum_picture.h"
 #include "window/kit_picture.h"
@@ -11,6 +12,7 @@
 static const double LEFT = 420, WIDE = 276, TOP = 66, ROW = 40; /* of controls */
 static const double TEXT_DOWN = 15, WAY_DOWN = 22, WAY_HIGH = 8, VALUE_WIDE = 96;
 static const double SWITCH = 18, SWITCH_HIGH = 15, SWITCH_GAP = 4, SWITCHES = 150;
+static const double LEAST_LOAD = 0.01, MOST_LOAD = 0.8; /* that is shown; that may leave gaps */
 static const double SAYING_X = 205, SAYING_Y = 420, SAYING_WIDE = 385;
 
 double picture_position(double scale, double x) {
@@ -110,6 +112,14 @@ static int write_struck(const WindowScene *scene, char *text, size_t size) {
                   100 * scene->struck[0]);
 }
 
+static void write_load(const WindowScene *scene, char *text, size_t size) {
+  if (scene->load > MOST_LOAD && !scene->is_draft) {
+    (void)snprintf(text, size, "; load %.0f %%: the quality Draft takes less", 100 * scene->load);
+  } else if (scene->load > LEAST_LOAD) {
+    (void)snprintf(text, size, "; load %.0f %%", 100 * scene->load);
+  }
+}
+
 static void say_usual(const WindowScene *scene, char *text, size_t size) {
   if (!scene->is_kit && scene->mic < scene->mic_count) {
     drum_picture_say_mic(&scene->mics[scene->mic], text, size);
@@ -117,6 +127,7 @@ static void say_usual(const WindowScene *scene, char *text, size_t size) {
     const int told = write_struck(scene, text, size);
     (void)snprintf(text + told, size - (size_t)told, "click: %.1f m/s, wheel changes it; ?: keys",
                    scene->speed);
+    write_load(scene, text + strlen(text), size - strlen(text));
   }
 }
 

@@ -15,6 +15,7 @@
 #include "window/plugin_window_state.h"
 
 static const double METER_FALL = 0.85; /* a frame */
+static const double LOAD_FALL = 0.98;  /* likewise: some two seconds */
 static const double BRIGHT = 5;        /* [m/s]: a stroke that lights a drum up */
 
 static Instrument *instrument_of(const PluginWindow *window) { return window->shell.instrument; }
@@ -279,6 +280,8 @@ static void show_frame(PluginWindow *window) {
     const double peak = (double)atomic_exchange(&link->peaks[side], 0);
     scene->meters[side] = fmax(METER_FALL * scene->meters[side], peak);
   }
+  scene->is_draft = value_of(window, scene->is_kit ? KIT_KNOB_QUALITY : KNOB_QUALITY) == 0;
+  scene->load = fmax(LOAD_FALL * scene->load, (double)atomic_exchange(&link->load, 0));
 }
 
 void plugin_window_look(PluginWindow *window) {

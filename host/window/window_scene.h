@@ -62,6 +62,8 @@ typedef struct WindowScene {
   uint32_t control_count;
   WindowControl controls[KNOB_PAGE];
   double meters[2];             /**< of each side, 1: full scale */
+  double load;                  /**< largest of the last blocks, a share of their length; 0: none */
+  bool is_draft;                /**< no quality takes less */
   double speed;                 /**< of the next stroke [m/s] */
   double struck_speed;          /**< of the newest one, by whomever [m/s]; 0: none yet */
   uint32_t struck_drum;         /**< of a kit: where it fell */

@@ -11,7 +11,7 @@ export class WaveView {
     this.#canvas = canvas;
   }
 
-  /** Draws what an AnalyserNode hears; full scale reaches the edges. If `isHeld`, the loudest that it has heard since the last
+  /** Draws what an AnalyserNode hears; its largest sample reaches the edge. If `isHeld`, the loudest that it has heard since the last
    * time that it was not. */
   show(analyser, isHeld) {
     this.#now ??= new Float32Array(analyser.fftSize);
@@ -28,10 +28,11 @@ export class WaveView {
     context.fillRect(0, middle, canvas.width, 1);
     context.strokeStyle = style.getPropertyValue("--accent");
     context.beginPath();
+    const most = peakOf(this.#samples) || 1;
     const from = this.#start();
     const count = this.#samples.length / 2;
     for (let i = 0; i < count; i++) {
-      context.lineTo((i * canvas.width) / count, middle * (1 - Math.max(-1, Math.min(1, this.#samples[from + i]))));
+      context.lineTo((i * canvas.width) / count, middle * (1 - this.#samples[from + i] / most));
     }
     context.stroke();
   }

@@ -12,6 +12,7 @@
 #include "plugin/kit_instrument.h"
 #include "plugin/kit_knobs.h"
 #include "plugin/knob_text.h"
+#include "plugin/knobs.h"
 #include "window/plugin_window_state.h"
 
 static const double METER_FALL = 0.85; /* a frame */
@@ -280,7 +281,8 @@ static void show_frame(PluginWindow *window) {
     const double peak = (double)atomic_exchange(&link->peaks[side], 0);
     scene->meters[side] = fmax(METER_FALL * scene->meters[side], peak);
   }
-  scene->is_draft = value_of(window, scene->is_kit ? KIT_KNOB_QUALITY : KNOB_QUALITY) == 0;
+  const uint32_t quality = scene->is_kit ? (uint32_t)KIT_KNOB_QUALITY : (uint32_t)KNOB_QUALITY;
+  scene->is_draft = value_of(window, quality) == 0;
   scene->load = fmax(LOAD_FALL * scene->load, (double)atomic_exchange(&link->load, 0));
 }
 

@@ -44,6 +44,8 @@ set_tests_properties(test_subproject PROPERTIES COST 100) # it builds the engine
 tabor_add_embed_test(test_first_page)
 set_tests_properties(test_first_page PROPERTIES TIMEOUT 3600 COST 150)
 tabor_add_embed_test(test_embedding)
+tabor_add_embed_test(test_amalgamation)
+set_property(TEST test_amalgamation APPEND PROPERTY ENVIRONMENT "SOUND_HASHES=$<TARGET_FILE:sound_hashes>")
 tabor_add_embed_test(test_other_systems)
 tabor_add_embed_test(test_manual)
 tabor_add_embed_test(test_packages NEEDS_SHARED)

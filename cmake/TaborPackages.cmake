@@ -7,7 +7,16 @@
 set(CPACK_PACKAGE_NAME tabor)
 string(REPLACE "-" "~" CPACK_PACKAGE_VERSION "${TABOR_VERSION}") # 0.2.0~dev comes before 0.2.0
 set(CPACK_PACKAGE_VENDOR Tabor)
-set(CPACK_PACKAGE_CONTACT "Tabor's maintainers <maintainers@tabor.invalid>")
+include("${CMAKE_CURRENT_LIST_DIR}/TaborIdentity.cmake")
+# Debian wants an address: without one in the identity packages are for the machine that makes them.
+if(TABOR_IDENTITY_ADDRESS)
+  set(CPACK_PACKAGE_CONTACT "${TABOR_IDENTITY_NAME} <${TABOR_IDENTITY_ADDRESS}>")
+else()
+  set(CPACK_PACKAGE_CONTACT "${TABOR_IDENTITY_NAME} <tabor@localhost>")
+endif()
+if(TABOR_IDENTITY_REPOSITORY)
+  set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${TABOR_IDENTITY_REPOSITORY}")
+endif()
 string(REGEX REPLACE "^A " "" CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}") # Debian wants no article
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 set(CPACK_STRIP_FILES ON)

@@ -45,6 +45,7 @@ if(TARGET tabor-program)
                         test_system_split test_system_stereo test_system_terminal test_system_variations)
     tabor_add_host_test(${name} ${${name}_ARGUMENTS})
   endforeach()
+  tabor_add_host_test(test_system_completion_shells "${PROJECT_SOURCE_DIR}")
   if(TARGET man-page AND NOT TABOR_SANITIZE) # of texts
     tabor_add_host_test(test_system_man_page "${PROJECT_BINARY_DIR}/host/tabor.1")
   endif()

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# tools/release: what it refuses, and the same bytes from two clones in different folders; the files that say who, what and
+# which licence, as their own tools read them.
+# shellcheck source=tests/support/embed_checks.sh
+. "$(dirname "$0")/../support/embed_checks.sh"
+# shellcheck source=tests/support/python_package.sh
+. "$SOURCE/tests/support/python_package.sh"
+needs git git
+needs universal-ctags ctags
+export HOME=$scratch
+
+version=$("$TABOR" --version | cut -d ' ' -f 2)
+git config --global user.name nobody && git config --global user.email nobody@localhost
+export GIT_AUTHOR_DATE="2026-01-01T00:00:00Z" GIT_COMMITTER_DATE="2026-01-01T00:00:00Z"
+for clone in one a-folder-with-a-longer-name; do
+  fresh_clone $clone
+  (cd $clone && git init --quiet && git add --all && git commit --quiet --message present)
+done
+
+# refused PATTERN ARGUMENT...: by the first clone; nothing is made.
+refused() {
+  local pattern=$1 status=0
+  shift
+  one/tools/release "$@" made >said 2>&1 || status=$?
+  [ $status != 0 ] && grep -q -e "$pattern" said && [ ! -e made ] || complain "release $*: expected a refusal with '$pattern': $(cat said)"
+}
+refused "version '9.9.9': the sources are of $version" 9.9.9
+refused "version '$version': a development version is not released" "$version"
+refused 'TABOR_IDENTITY_ADDRESS in cmake/TaborIdentity.cmake is empty' "$version"
+refused "only 'everything': one of source" --only everything "$version"
+echo >>one/NEWS.md
+refused 'changes that are not committed: 1 files' "$version"
+git -C one checkout --quiet NEWS.md
+
+for clone in one a-folder-with-a-longer-name; do
+  quietly $clone/tools/release --trial --only source,one-file "$version" "$scratch/of-$clone"
+done
+diff -r of-one of-a-folder-with-a-longer-name || complain "two clones give other bytes"
+[ "$(wc -l <of-one/SHA256SUMS)" = 3 ] || complain "not two archives and a list: $(cat of-one/SHA256SUMS)"
+(cd of-one && quietly sha256sum --check SHA256SUMS)
+tar -xzf "of-one/tabor-$version.tar.gz"
+cmp "tabor-$version/README.md" "$SOURCE/README.md" || complain "the sources are others"
+tar -xzf "of-one/tabor-$version-one-file.tar.gz"
+[ -s "tabor-$version-one-file/tabor.c" ] || complain "one file is missing"
+
+for file in CITATION.cff codemeta.json; do grep -q "$version" "$SOURCE/$file" || complain "$file is of another version"; done
+has_python_tools || { skip_part "what reuse says: $no_python_tools"; exit 0; }
+if [ -x "$python_tools/environment/bin/reuse" ]; then
+  (cd one && quietly "$python_tools/environment/bin/reuse" lint)
+else
+  skip_part "what reuse says: this Python has no package of it"
+fi

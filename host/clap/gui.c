@@ -78,6 +78,17 @@ static void play(void *shell) {
   instance->host->request_process(instance->host);
 }
 
+static void menu(void *shell, uint32_t id, int x, int y) {
+  const Instance *const instance = shell;
+  const clap_host_t *const host = instance->host;
+  const clap_host_context_menu_t *menus = host->get_extension(host, CLAP_EXT_CONTEXT_MENU);
+  const clap_context_menu_target_t target = {.kind = CLAP_CONTEXT_MENU_TARGET_KIND_PARAM,
+                                             .id =
+                                               instrument_number(instance->instrument->kind, id)};
+  if (!menus) menus = host->get_extension(host, CLAP_EXT_CONTEXT_MENU_COMPAT);
+  if (menus && menus->can_popup(host)) (void)menus->popup(host, &target, 0, x, y);
+}
+
 static PluginWindow *make_window(Instance *instance) {
   const PluginWindowShell shell = {.shell = instance,
                                    .instrument = instance->instrument,
@@ -87,7 +98,8 @@ static PluginWindow *make_window(Instance *instance) {
                                    .end = end,
                                    .use = use,
                                    .choose = choose,
-                                   .play = play};
+                                   .play = play,
+                                   .menu = menu};
   return plugin_window_create(&shell);
 }
 

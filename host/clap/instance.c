@@ -271,6 +271,7 @@ static const void *get_extension(const clap_plugin_t *plugin, const char *id) {
     const void *extension;
   } all[] = {{CLAP_EXT_PARAMS, &parameters_extension},
              {CLAP_EXT_STATE, &state_extension},
+             {CLAP_EXT_STATE_CONTEXT, &state_context_extension},
              {CLAP_EXT_AUDIO_PORTS, &ports_audio},
              {CLAP_EXT_NOTE_PORTS, &ports_notes},
              {CLAP_EXT_NOTE_NAME, &ports_note_names},

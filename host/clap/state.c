@@ -137,7 +137,14 @@ static bool refuse(const Instrument *instrument, const char *why) {
   return false;
 }
 
-static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
+/* Knobs of the player's stay where they are. */
+static void keep_players_knobs(const Instrument *instrument, InstrumentSetting *setting) {
+  for (uint32_t i = 0; i < instrument->kind->knob_count; i++)
+    if (instrument->kind->knobs[i].is_of_player)
+      setting->values[i] = atomic_load(&instrument->values[i]);
+}
+
+static bool load_in(const clap_plugin_t *plugin, const clap_istream_t *stream, uint32_t context) {
   Instance *const instance = instance_of(plugin);
   char message[INSTRUMENT_MESSAGE];
   InstrumentSetting setting;
@@ -146,8 +153,19 @@ static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
   const char *const wrong = read_state(instance->instrument, state, &setting, message);
   free(state);
   if (wrong) return refuse(instance->instrument, wrong);
+  if (context == CLAP_STATE_CONTEXT_FOR_PRESET) keep_players_knobs(instance->instrument, &setting);
   host_use(instance, &setting);
   return true;
 }
 
+static bool load(const clap_plugin_t *plugin, const clap_istream_t *stream) {
+  return load_in(plugin, stream, CLAP_STATE_CONTEXT_FOR_PROJECT);
+}
+
+static bool save_in(const clap_plugin_t *plugin, const clap_ostream_t *stream, uint32_t context) {
+  (void)context;
+  return save(plugin, stream);
+}
+
 const clap_plugin_state_t state_extension = {.save = save, .load = load};
+const clap_plugin_state_context_t state_context_extension = {.save = save_in, .load = load_in};

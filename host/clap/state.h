@@ -23,5 +23,7 @@
 #include <clap/clap.h>
 
 extern const clap_plugin_state_t state_extension;
+/** A state that is loaded as a preset leaves the player's own knobs (Knob.is_of_player). */
+extern const clap_plugin_state_context_t state_context_extension;
 
 #endif

@@ -30,6 +30,7 @@ const Knob kit_knobs[KIT_KNOB_COUNT] = {
   [KIT_KNOB_QUALITY] = {.symbol = "quality",
                         .name = "Quality",
                         .group = "kit",
+                        .is_of_player = true,
                         .kind = KNOB_REBUILD,
                         CHOICES(2, 1, "Draft|Live|Studio"),
                         .comment = "Accuracy against the load of the processor. Studio is for "
@@ -57,12 +58,14 @@ const Knob kit_knobs[KIT_KNOB_COUNT] = {
   [KIT_KNOB_VELOCITY_CURVE] = {.symbol = "velocity_curve",
                                .name = "Velocity curve",
                                .group = "kit",
+                               .is_of_player = true,
                                .kind = KNOB_SETTING,
                                CHOICES(2, 1, "Soft|Linear|Hard"),
                                .comment = "Soft: a light touch is already loud."},
   [KIT_KNOB_VELOCITY_RANGE] = {.symbol = "velocity_range",
                                .name = "Velocity range",
                                .group = "kit",
+                               .is_of_player = true,
                                .kind = KNOB_SETTING,
                                CHOICES(1, 0, "Normal|Full"),
                                .comment = "Normal: 1 to 10 m/s, and softer ghost notes below "
@@ -70,6 +73,7 @@ const Knob kit_knobs[KIT_KNOB_COUNT] = {
   [KIT_KNOB_NOTES] = {.symbol = "notes",
                       .name = "Notes of",
                       .group = "kit",
+                      .is_of_player = true,
                       .kind = KNOB_REPLACE,
                       CHOICES(5, 0, "General MIDI|roland|yamaha|alesis|superior|addictive"),
                       .comment = "Which notes play which drums: those of General MIDI, or of a "

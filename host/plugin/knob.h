@@ -52,6 +52,7 @@ typedef struct Knob {
   bool is_bypass;          /**< its 0 lets the sound in pass through */
   bool is_level;           /**< of a part of the mix, which can be mute or solo */
   bool is_gain;            /**< of all outputs */
+  bool is_of_player;       /**< about who plays and on which machine: no preset moves it */
   KnobScale scale;
   const char *comment;
 } Knob;

@@ -75,6 +75,7 @@ bool plugin_window_open(PluginWindow *window, unsigned long parent) {
                               .press = plugin_window_press,
                               .drag = plugin_window_drag,
                               .release = plugin_window_release,
+                              .menu = plugin_window_menu,
                               .hover = plugin_window_hover,
                               .scroll = plugin_window_scroll,
                               .key = plugin_window_key};

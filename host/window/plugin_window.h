@@ -23,6 +23,8 @@ typedef struct PluginWindowShell {
   /** A built-in drum or kit, or one of a file, and knobs as it has them. */
   void (*choose)(void *shell, const char *name, bool is_file);
   void (*play)(void *shell); /**< a stroke waits for a block */
+  /** Opens the host's menu of a knob at a place of the window; NULL: this format has none. */
+  void (*menu)(void *shell, uint32_t id, int x, int y);
 } PluginWindowShell;
 
 typedef struct PluginWindow PluginWindow;

@@ -190,6 +190,17 @@ void plugin_window_release(void *context) {
   window->holds_mic = window->has_moved = false;
 }
 
+/* The host's own menu of a control that it knows: automation, MIDI learn. */
+void plugin_window_menu(void *context, double x, double y) {
+  const PluginWindow *const window = context;
+  const WindowPlace place = place_at(window, x, y);
+  const bool is_control = place.part == WINDOW_CONTROL || place.part == WINDOW_VALUE;
+  if (!is_control || !window->shell.menu) return;
+  const WindowControl *const control = &window->scene.controls[place.number];
+  if (!control->is_key && !control->is_idle)
+    window->shell.menu(window->shell.shell, control->knob, (int)x, (int)y);
+}
+
 /* What is wrong stays to be read until something is done. */
 void plugin_window_hover(void *context, double x, double y) {
   PluginWindow *const window = context;

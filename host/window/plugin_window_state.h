@@ -123,6 +123,7 @@ void plugin_window_open_file(PluginWindow *window, const char *path);
 void plugin_window_press(void *window, double x, double y, X11Touch touch);
 void plugin_window_drag(void *window, double x, double y, X11Touch touch);
 void plugin_window_release(void *window);
+void plugin_window_menu(void *window, double x, double y);
 void plugin_window_hover(void *window, double x, double y);
 void plugin_window_scroll(void *window, double x, double y, int steps, X11Touch touch);
 void plugin_window_key(void *window, Key key, bool has_shift);

@@ -6,8 +6,8 @@
 
 #include "window/x11_keyboard.h"
 
-enum { LEFT = 1, UP = 4, DOWN = 5 }; /* buttons of X11 */
-enum { SOON = 400, NEAR = 4 };       /* [ms], [pixels] of two presses that are one double click */
+enum { LEFT = 1, RIGHT = 3, UP = 4, DOWN = 5 }; /* buttons of X11 */
+enum { SOON = 400, NEAR = 4 }; /* [ms], [pixels] of two presses that are one double click */
 
 struct X11Window {
   X11Handler handler;
@@ -142,6 +142,8 @@ static void take_press(X11Window *window, const xcb_button_press_event_t *event)
   X11Touch touch = touch_of(event->state);
   if (event->detail == UP || event->detail == DOWN) {
     handler->scroll(handler->context, x, y, event->detail == UP ? 1 : -1, touch);
+  } else if (event->detail == RIGHT) {
+    handler->menu(handler->context, x, y);
   } else if (event->detail == LEFT) {
     (void)xcb_set_input_focus(window->connection, XCB_INPUT_FOCUS_PARENT, window->id, event->time);
     window->held = true;

@@ -29,6 +29,7 @@ typedef struct X11Handler {
   void (*press)(void *context, double x, double y, X11Touch touch);
   void (*drag)(void *context, double x, double y, X11Touch touch); /**< while the button is held */
   void (*release)(void *context);
+  void (*menu)(void *context, double x, double y);  /**< the right button */
   void (*hover)(void *context, double x, double y); /**< no button is held; negative: it has left */
   void (*scroll)(void *context, double x, double y, int steps,
                  X11Touch touch); /**< up: 1, down: -1 */

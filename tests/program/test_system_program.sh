@@ -49,7 +49,7 @@ rows=$(wc -l <"$out")
 done_quietly presets --json
 same "presets as JSON" presets "$(json keys)"
 same "as many" "$rows" "$(json presets.size)"
-same "keys of a preset" "name category base comment file" "$(json presets.0.keys)"
+same "keys of a preset" "name category base comment file own" "$(json presets.0.keys)"
 presets=()
 for ((i = 0; i < rows; i++)); do presets+=("$(json "presets.$i.name")"); done
 check "tabor is a preset" grep -qw tabor <<<"${presets[*]}"

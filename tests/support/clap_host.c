@@ -70,6 +70,21 @@ static bool stop_timer(const clap_host_t *host, clap_id id) {
   return true;
 }
 
+static bool can_popup(const clap_host_t *host) {
+  (void)host;
+  return true;
+}
+
+static bool popup(const clap_host_t *host, const clap_context_menu_target_t *target, int32_t screen,
+                  int32_t x, int32_t y) {
+  ClapHost *const own = host->host_data;
+  (void)screen, (void)x, (void)y;
+  assert_int_equal(target->kind, CLAP_CONTEXT_MENU_TARGET_KIND_PARAM);
+  own->menus++;
+  own->menu_of = target->id;
+  return true;
+}
+
 static void exec(void *context, uint32_t task) {
   const ClapHost *const own = context;
   const clap_plugin_thread_pool_t *const pool = clap_host_extension(own, CLAP_EXT_THREAD_POOL);
@@ -89,8 +104,10 @@ static const void *extension(const clap_host_t *host, const char *id) {
   static const clap_host_params_t params = {rescan, clear, request};
   static const clap_host_preset_load_t presets = {refuse, note_preset};
   static const clap_host_thread_pool_t pool = {request_exec};
+  static const clap_host_context_menu_t menus = {.can_popup = can_popup, .popup = popup};
   const bool has_threads = ((const ClapHost *)host->host_data)->threads != NULL;
   if (strcmp(id, CLAP_EXT_LOG) == 0) return &log;
+  if (strcmp(id, CLAP_EXT_CONTEXT_MENU) == 0) return &menus;
   if (strcmp(id, CLAP_EXT_PARAMS) == 0) return &params;
   if (strcmp(id, CLAP_EXT_TIMER_SUPPORT) == 0) return &timers;
   if (strcmp(id, CLAP_EXT_THREAD_POOL) == 0) return has_threads ? &pool : NULL;
@@ -354,6 +371,14 @@ void clap_host_save(ClapHost *host, ClapState *state) {
   const clap_ostream_t stream = {state, write_state};
   state->size = state->at = 0;
   assert_true(states->save(host->plugin, &stream));
+}
+
+bool clap_host_load_in(ClapHost *host, ClapState *state, uint32_t context) {
+  const clap_plugin_state_context_t *const states =
+    clap_host_extension(host, CLAP_EXT_STATE_CONTEXT);
+  const clap_istream_t stream = {state, read_state};
+  state->at = 0;
+  return states->load(host->plugin, &stream, context);
 }
 
 bool clap_host_load(ClapHost *host, ClapState *state) {

@@ -49,8 +49,10 @@ typedef struct ClapHost {
     callbacks; /**< of the values of all parameters; for blocks; for the main thread */
   clap_process_status status; /**< of the newest block */
   uint32_t timers;            /**< that run */
-  uint32_t turns, gestures;   /**< values and begins of gestures that the plugin has told of */
-  clap_id turned;             /**< the newest of these parameters, and its value */
+  uint32_t menus;             /**< of parameters that the plugin has asked for, and the newest */
+  clap_id menu_of;
+  uint32_t turns, gestures; /**< values and begins of gestures that the plugin has told of */
+  clap_id turned;           /**< the newest of these parameters, and its value */
   double turned_to;
 } ClapHost;
 
@@ -98,5 +100,7 @@ void clap_host_run(ClapHost *host, uint32_t frames);
 
 void clap_host_save(ClapHost *host, ClapState *state);
 bool clap_host_load(ClapHost *host, ClapState *state);
+/** The same in a context of CLAP's, as CLAP_STATE_CONTEXT_FOR_PRESET. */
+bool clap_host_load_in(ClapHost *host, ClapState *state, uint32_t context);
 
 #endif

@@ -487,12 +487,35 @@ static void test_the_drum_outlives_a_change_of_rate(void **state) {
   clap_host_close(host);
 }
 
+/* As a preset a state brings the drum, and leaves how it is played and computed here. */
+static void test_a_preset_leaves_the_players_knobs(void **state) {
+  (void)state;
+  ClapHost *const host = open_drum();
+  clap_host_set(host, 0, KNOB_STRAINER, 0.25);
+  clap_host_set(host, 0, KNOB_VELOCITY_CURVE, 2);
+  clap_host_flush(host);
+  clap_host_save(host, &saved);
+  clap_host_set(host, 0, KNOB_STRAINER, 0.75);
+  clap_host_set(host, 0, KNOB_VELOCITY_CURVE, 0);
+  clap_host_set(host, 0, KNOB_QUALITY, CLAP_QUALITY(TABOR_QUALITY_STUDIO));
+  clap_host_flush(host);
+  assert_true(clap_host_load_in(host, &saved, CLAP_STATE_CONTEXT_FOR_PRESET));
+  assert_true(clap_host_value(host, KNOB_STRAINER) == 0.25);
+  assert_true(clap_host_value(host, KNOB_VELOCITY_CURVE) == 0);
+  assert_true(clap_host_value(host, KNOB_QUALITY) == CLAP_QUALITY(TABOR_QUALITY_STUDIO));
+  assert_true(clap_host_load_in(host, &saved, CLAP_STATE_CONTEXT_FOR_PROJECT));
+  assert_true(clap_host_value(host, KNOB_VELOCITY_CURVE) == 2);
+  assert_true(clap_host_value(host, KNOB_QUALITY) == CLAP_QUALITY(TABOR_QUALITY_DRAFT));
+  clap_host_close(host);
+}
+
 int main(int argc, char **argv) {
   if (argc < 2) return 1;
   entry = clap_host_entry(argv[1]);
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_loading_into_a_ringing_drum_changes_no_bit),
     cmocka_unit_test(test_an_instance_is_found_as_it_was_left),
+    cmocka_unit_test(test_a_preset_leaves_the_players_knobs),
     cmocka_unit_test(test_a_chosen_drum_is_found_in_its_room),
     cmocka_unit_test(test_values_of_parameters_come_back),
     cmocka_unit_test(test_a_preset_that_is_on_its_way_is_saved),

@@ -140,6 +140,20 @@ static void a_double_click_is_the_default(void **state) {
   close_host(&opened);
 }
 
+static void a_right_click_opens_the_hosts_menu(void **state) {
+  (void)state;
+  Opened opened = open_host(ID_DRUM);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 3, MIDDLE_X, MIDDLE_Y); /* the drum */
+  tick(&opened);
+  assert_int_equal(opened.host->menus, 0);
+  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 3, CONTROL_X + 20, STRAINER_Y);
+  tick(&opened);
+  assert_int_equal(opened.host->menus, 1);
+  assert_int_equal(opened.host->menu_of, clap_host_id(KNOB_STRAINER));
+  assert_true(strainer(&opened) == 1);
+  close_host(&opened);
+}
+
 static void space_strikes(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM);
@@ -399,6 +413,7 @@ static int run(void) {
     cmocka_unit_test(values_are_typed),
     cmocka_unit_test(a_double_click_is_the_default),
     cmocka_unit_test(space_strikes),
+    cmocka_unit_test(a_right_click_opens_the_hosts_menu),
     cmocka_unit_test(every_parameter_of_a_drum_can_be_typed),
     cmocka_unit_test(knobs_follow_parameters),
     cmocka_unit_test(every_parameter_of_a_kit_can_be_typed),

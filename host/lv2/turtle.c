@@ -45,7 +45,8 @@ void turtle_open(const char *folder, const char *name) {
   (void)snprintf(path, sizeof path, "%s/%s", folder, name);
   file = fopen(path, "w");
   if (!file) turtle_fail(path);
-  put("# SPDX-License-" "Identifier: MIT\n");
+  put("# SPDX-License-"
+      "Identifier: MIT\n");
 }
 
 void turtle_close(void) {

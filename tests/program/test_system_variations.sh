@@ -6,7 +6,7 @@
 
 count=10
 vary=(--quality draft --duration 0.05 --vary batter.pitch=A3..D4 --vary strike.velocity=1..8
-  --vary strike.striker=stick,mallet --vary batter.lug_count=6..10)
+  --vary "strike.striker=stick,mallet" --vary batter.lug_count=6..10)
 done_quietly render tom-12 "${vary[@]}" --count $count -o one/ -q
 same "files" $((count + 1)) "$(find one -type f | wc -l)"
 same "the table's columns" "file,batter.pitch,strike.velocity,strike.striker,batter.lug_count" "$(head -n 1 one/variations.csv)"

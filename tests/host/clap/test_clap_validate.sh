@@ -21,7 +21,7 @@ holds "it is below 3 MB" "$(stat -c %s "$CLAP") < 3000000"
 symbols=$(sed -n 's/.*\.symbol = "\([a-z_]*\)".*/\1/p' "$SOURCE"/host/plugin/{,kit_}knobs.c)
 holds "there are controls" "$(wc -w <<<"$symbols") > 20"
 for symbol in $symbols; do
-  check "docs/plugins.md has $symbol" grep -q "\`$symbol[0-9\`]" "$SOURCE/docs/plugins.md"
+  check "docs/plugins.md has $symbol" grep -q "\`${symbol}[0-9\`]" "$SOURCE/docs/plugins.md"
 done
 
 # What it says of installing, where no plugin has been installed yet.

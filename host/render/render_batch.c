@@ -73,7 +73,7 @@ static Outcome name_job(const RenderBatch *batch, const char *events, size_t num
   const char *const kit = arguments_value(&job->arguments, "kit");
   const PresetStem preset = preset_stem(kit ? kit : preset_argument(&job->arguments));
   const PresetStem take = events_stem(events);
-  char suffix[16];
+  char suffix[32];
   write_number(&batch->variations, number, suffix, sizeof suffix);
   const size_t size = strlen(folder) + (size_t)preset.length + (size_t)take.length +
                       strlen(suffix) + sizeof "-" EXTENSION;

@@ -8,11 +8,11 @@ set(CPACK_PACKAGE_NAME tabor)
 string(REPLACE "-" "~" CPACK_PACKAGE_VERSION "${TABOR_VERSION}") # 0.2.0~dev comes before 0.2.0
 set(CPACK_PACKAGE_VENDOR Tabor)
 include("${CMAKE_CURRENT_LIST_DIR}/TaborIdentity.cmake")
-# Debian wants an address: without one in the identity packages are for the machine that makes them.
+# Debian wants an address. Without one in the identity packages are for the machine that makes them: tools/release refuses.
 if(TABOR_IDENTITY_ADDRESS)
   set(CPACK_PACKAGE_CONTACT "${TABOR_IDENTITY_NAME} <${TABOR_IDENTITY_ADDRESS}>")
 else()
-  set(CPACK_PACKAGE_CONTACT "${TABOR_IDENTITY_NAME} <tabor@localhost>")
+  set(CPACK_PACKAGE_CONTACT "${TABOR_IDENTITY_NAME} <maintainers@tabor.invalid>")
 endif()
 if(TABOR_IDENTITY_REPOSITORY)
   set(CPACK_DEBIAN_PACKAGE_HOMEPAGE "${TABOR_IDENTITY_REPOSITORY}")

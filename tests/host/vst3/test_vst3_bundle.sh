@@ -23,7 +23,7 @@ done
 same "what it exports" "GetPluginFactory ModuleEntry ModuleExit" \
   "$(nm -D --defined-only "$binary" | awk '{ print $3 }' | sort | xargs)"
 same "libraries that it needs beyond C's and those of its window" "" \
-  "$(readelf -d "$binary" | sed -nE 's/.*\(NEEDED\).*\[(.*)\]/\1/p' | grep -vE '^(libc|libm|ld-linux.*|libdl|libpthread|libcairo|libxcb)\.so')"
+  "$(readelf -d "$binary" | sed -nE 's/.*\(NEEDED\).*\[(.*)\]/\1/p' | grep -vE '^(libc|libm|ld-linux.*|libdl|libpthread|libcairo|libxcb|libxkbcommon|libxkbcommon-x11)\.so')"
 holds "it is below 4 MB" "$(stat -c %s "$binary") < 4000000"
 
 # ---- the description ----

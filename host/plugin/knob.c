@@ -37,6 +37,12 @@ double knob_at_position(const KnobRange *range, double position) {
   return range->logarithmic ? least * pow(most / least, way) : least + way * (most - least);
 }
 
+double knob_stepped(double position, double way, uint32_t choices) {
+  const double least = choices > 1 ? 1.0 / (choices - 1u) : 0;
+  const double step = fabs(way) < least ? copysign(least, way) : way;
+  return fmin(fmax(position + step, 0), 1);
+}
+
 /* ---- values --------------------------------------------------------------------------------- */
 
 float knob_single(double value) {

@@ -83,6 +83,7 @@ typedef struct KnobGroup {
 } KnobGroup;
 
 enum { KNOB_PAGE = 8 };
+#define KNOB_STEP 0.02 /**< of a control's way, a step by a key or a wheel */
 
 /** A page of controls, in the window and of a host's remote control. Its id never changes. */
 typedef struct KnobPage {
@@ -105,6 +106,9 @@ static inline bool knob_is_bent(const KnobRange *range) REALTIME {
 /** Where @p value stands on the knob's way, 0 to 1 within its range; and the value there. */
 double knob_position(const KnobRange *range, double value) REALTIME;
 double knob_at_position(const KnobRange *range, double position) REALTIME;
+/** @p position moved by @p way, within 0 to 1; of that many choices by one of them at least. 0
+ * choices: any number. */
+double knob_stepped(double position, double way, uint32_t choices) REALTIME;
 /** @p value, which is finite, as a port has it: of a choice a whole number, of six decimal digits,
  * within the range. */
 float knob_limited(const Knob *knob, const KnobRange *range, double value) REALTIME;

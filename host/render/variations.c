@@ -9,18 +9,12 @@
 
 #include "base/random.h"
 #include "drums/pitch_text.h"
+#include "plugin/key_name.h"
 #include "strokes/humanize_options.h"
 
 enum { LONGEST_VALUE = 64 };
 
 /* ---- ranges --------------------------------------------------------------------------------- */
-
-/* "snare.batter.tension" of a kit is the row of "batter.tension". */
-static const TaborParameter *row_of(const char *key) {
-  const char *own = key;
-  if (strncmp(key, "drum.", 5) == 0 && (own = strchr(key + 5, '.'))) own++;
-  return own ? tabor_parameter_find(own) : NULL;
-}
 
 static bool read_end(const TaborParameter *row, const char *text, double *value) {
   char *end = NULL;
@@ -46,7 +40,7 @@ static Outcome read_varied(const char *text, Varied *varied) {
   if (varied->key == 0 || varied->key >= sizeof key)
     return refuse("--vary '%.80s': not of the form KEY=RANGE", text);
   (void)snprintf(key, sizeof key, "%.*s", (int)varied->key, text);
-  const TaborParameter *const row = row_of(key);
+  const TaborParameter *const row = key_parameter(key);
   if (read_range(row, equals + 1, varied)) {
     varied->is_bent = row && row->logarithmic && varied->low > 0;
     return OUTCOME_OK;
@@ -95,7 +89,7 @@ void variations_value(const Variations *variations, size_t key, size_t number, c
   const Varied *const varied = &variations->varied[key];
   char name[2 * TABOR_NAME_SIZE];
   (void)snprintf(name, sizeof name, "%.*s", (int)varied->key, varied->text);
-  const TaborParameter *const row = row_of(name);
+  const TaborParameter *const row = key_parameter(name);
   if (varied->words) {
     write_word(varied->words, varied->shares[number], text, size);
   } else {

@@ -1,30 +1,23 @@
 /* SPDX-License-Identifier: MIT */
 #include "ui/parameter_panel.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "plugin/key_name.h"
 #include "plugin/key_text.h"
 #include "plugin/key_way.h"
+#include "plugin/knob.h"
 
 enum { KEY_SIZE = 2 * TABOR_NAME_SIZE, VALUE_SIZE = 2 * TABOR_TEXT_SIZE };
 enum { VALUE_COLUMN = 34, TEXT_COLUMN = 52 };
 
 static const char FIRST[] = "batter.tension"; /* that is chosen at first */
-static const double STEP = 0.02;              /* of a parameter's way */
 
 /* ---- keys of the definition ----------------------------------------------------------------- */
 
 static bool key_at(const TaborDrumDef *def, int64_t number, char key[KEY_SIZE]) {
   return number >= 0 && tabor_drum_def_key(def, (uint32_t)number, key, KEY_SIZE);
-}
-
-static bool is_same_section(const char *a, const char *b) {
-  const char *const dot = strrchr(a, '.');
-  const size_t length = dot ? (size_t)(dot - a) + 1 : 0;
-  const char *const other = strrchr(b, '.');
-  return length == (other ? (size_t)(other - b) + 1 : 0) && memcmp(a, b, length) == 0;
 }
 
 /* Another drum may have fewer. */
@@ -49,10 +42,10 @@ static void move_section(ParameterPanel *panel, const TaborDrumDef *def, int ste
   int64_t to = chosen(panel, def);
   if (!key_at(def, to, here)) return;
   do to += step;
-  while (key_at(def, to, there) && is_same_section(here, there));
+  while (key_at(def, to, there) && key_is_same_section(here, there));
   if (!key_at(def, to, there)) return;
   memcpy(here, there, sizeof here);
-  while (step < 0 && key_at(def, to - 1, there) && is_same_section(here, there)) to--;
+  while (step < 0 && key_at(def, to - 1, there) && key_is_same_section(here, there)) to--;
   panel->at = (uint32_t)to;
 }
 
@@ -64,9 +57,7 @@ static bool write_turned(const TaborDrumDef *def, const char *key, int step, cha
     return false;
   const double from = key_position(parameter, value);
   if (from < 0) return false;
-  const uint32_t choices = key_choices(parameter);
-  const double least = choices > 1 ? 1.0 / (choices - 1u) : 0;
-  const double to = fmin(fmax(from + step * fmax(STEP, least), 0), 1);
+  const double to = knob_stepped(from, step * KNOB_STEP, key_choices(parameter));
   key_at_position(parameter, to, turned, sizeof turned);
   (void)snprintf(command, PANEL_COMMAND_SIZE, "set %s %s", key, turned);
   return true;

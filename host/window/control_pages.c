@@ -5,24 +5,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "plugin/key_name.h"
+
 static const char DRUM[] = "drum."; /* of keys of a kit's drums */
 
 /* ---- keys and pages ------------------------------------------------------------------------- */
 
-static size_t section_length(const char *key) {
-  const char *const dot = strrchr(key, '.');
-  return dot ? (size_t)(dot - key) : 0;
-}
-
-static bool is_same_section(const char *a, const char *b) {
-  const size_t length = section_length(a);
-  return length == section_length(b) && memcmp(a, b, length) == 0;
-}
-
 /* "drum.snare.batter" as "snare batter"; keys without a section say what the drum is. */
 static void name_section(const char *key, char name[TABOR_NAME_SIZE]) {
   const size_t skipped = strncmp(key, DRUM, sizeof DRUM - 1) == 0 ? sizeof DRUM - 1 : 0;
-  const size_t length = section_length(key);
+  const size_t length = key_section(key);
   const int shown = length > skipped ? (int)(length - skipped) : 0;
   (void)snprintf(name, TABOR_NAME_SIZE - 4, "%.*s", shown, key + skipped);
   if (shown == 0) (void)snprintf(name, TABOR_NAME_SIZE, "about");
@@ -32,16 +24,16 @@ static void name_section(const char *key, char name[TABOR_NAME_SIZE]) {
 static uint32_t keys_of_section(const ControlPages *pages, uint32_t first) {
   uint32_t count = 1;
   while (first + count < pages->key_count &&
-         is_same_section(pages->keys[first], pages->keys[first + count]))
+         key_is_same_section(pages->keys[first], pages->keys[first + count]))
     count++;
   return count;
 }
 
 /* "batter: damping 0", by its first key. */
 static void name_part(char name[TABOR_NAME_SIZE], const char *key) {
-  const size_t length = strlen(name), section = section_length(key);
-  (void)snprintf(name + length, TABOR_NAME_SIZE - length, ": %s", key + section + (section > 0));
-  for (char *mark = strchr(name + length, '_'); mark; mark = strchr(mark, '_')) *mark = ' ';
+  const size_t start = strlen(name) + 2;
+  (void)snprintf(name + start - 2, TABOR_NAME_SIZE - start + 2, ": ");
+  (void)key_title(key, name + start, TABOR_NAME_SIZE - start);
 }
 
 static void add_section(ControlPages *pages, uint32_t first, uint32_t count) {
@@ -143,12 +135,10 @@ static void name_keys(const ControlPages *pages, const KeyPage *page, char *text
   size_t length = 0;
   text[0] = '\0';
   for (uint32_t i = 0; i < page->count && length < size; i++) {
-    const char *const key = pages->keys[page->first + i];
-    const size_t section = section_length(key);
-    length += (size_t)snprintf(text + length, size - length, "%s%s", i > 0 ? ", " : "",
-                               key + section + (section > 0));
+    if (i > 0) length += (size_t)snprintf(text + length, size - length, ", ");
+    if (length < size)
+      length += (size_t)key_title(pages->keys[page->first + i], text + length, size - length);
   }
-  for (char *mark = strchr(text, '_'); mark; mark = strchr(mark, '_')) *mark = ' ';
 }
 
 static void name_knobs(const ControlPages *pages, const KnobPage *page, char *text, size_t size) {

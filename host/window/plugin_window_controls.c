@@ -11,7 +11,7 @@
 #include "window/picture.h"
 #include "window/plugin_window_state.h"
 
-static const double STEP = 0.02, FINE = 0.1; /* of a control's way; a fine step of a step */
+static const double FINE = 0.1; /* of a step */
 
 static const WindowControl *control_at(const PluginWindow *window, uint32_t control) {
   const WindowScene *const scene = &window->scene;
@@ -84,23 +84,18 @@ static void keep_turn(PluginWindow *window, const WindowControl *control) {
   memcpy(window->turned, turned, sizeof turned);
 }
 
-static double stepped(const WindowControl *control, double way, uint32_t choices) {
-  const double least = choices > 1 ? 1.0 / (choices - 1u) : 0;
-  const double step = fabs(way) < least ? copysign(least, way) : way;
-  return fmin(fmax(control->position + step, 0), 1);
-}
-
 static void turn_key(PluginWindow *window, const WindowControl *control, double way) {
   const TaborParameter *const parameter = control->parameter;
   char value[DEFINITION_VALUE];
   if (!parameter || control->position < 0) return;
-  key_at_position(parameter, stepped(control, way, key_choices(parameter)), value, sizeof value);
+  const double to = knob_stepped(control->position, way, key_choices(parameter));
+  key_at_position(parameter, to, value, sizeof value);
   set_key(window, control, value);
 }
 
 void plugin_window_turn_control(PluginWindow *window, uint32_t number, int steps, bool is_fine) {
   const WindowControl *const control = control_at(window, number);
-  const double way = steps * (is_fine ? FINE * STEP : STEP);
+  const double way = steps * (is_fine ? FINE * KNOB_STEP : KNOB_STEP);
   if (!control || window->is_dragging) return;
   if (control->is_key) {
     turn_key(window, control, way);
@@ -110,7 +105,7 @@ void plugin_window_turn_control(PluginWindow *window, uint32_t number, int steps
   const uint32_t choices = knob->choices ? choice_count(knob->choices) : 0;
   keep_turn(window, control);
   turn_knob(window, control->knob,
-            knob_value_at(window, control->knob, stepped(control, way, choices)));
+            knob_value_at(window, control->knob, knob_stepped(control->position, way, choices)));
 }
 
 /* ---- the mouse ------------------------------------------------------------------------------ */

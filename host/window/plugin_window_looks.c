@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "plugin/drum_instrument.h"
+#include "plugin/key_name.h"
 #include "plugin/key_text.h"
 #include "plugin/key_way.h"
 #include "plugin/kit_instrument.h"
@@ -198,19 +199,14 @@ static void show_knob(PluginWindow *window, uint32_t id, WindowControl *shown) {
   if (shown->is_idle) (void)snprintf(shown->value, WINDOW_TEXT, "-");
 }
 
-/* "drum.snare.batter.surface_density" is "surface density"; its row is the one of
- * "batter.surface_density". */
 static void show_key(const PluginWindow *window, const char *key, WindowControl *shown) {
   char value[DEFINITION_VALUE] = "";
-  const char *const dot = strrchr(key, '.'), *own = key;
-  if (window->definition->is_kit && strncmp(key, "drum.", 5) == 0) own = strchr(key + 5, '.') + 1;
   (void)definition_get(window->definition, key, value);
-  *shown = (WindowControl){.is_key = true, .parameter = tabor_parameter_find(own)};
+  *shown = (WindowControl){.is_key = true, .parameter = key_parameter(key)};
   shown->comment = shown->parameter ? shown->parameter->text : NULL;
   shown->position = shown->parameter ? key_position(shown->parameter, value) : -1;
   (void)snprintf(shown->key, sizeof shown->key, "%s", key);
-  (void)snprintf(shown->name, WINDOW_TEXT, "%s", dot ? dot + 1 : key);
-  for (char *mark = strchr(shown->name, '_'); mark; mark = strchr(mark, '_')) *mark = ' ';
+  (void)key_title(key, shown->name, WINDOW_TEXT);
   if (shown->parameter) {
     (void)key_text(shown->parameter, value, shown->value, WINDOW_TEXT);
   } else {

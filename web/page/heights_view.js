@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // How high the middle of a head stands in the film of a stroke, and above it the middle of its middle wire: curves over the
 // time, as in figure 4 of the paper that Tabor grows from.
+import { fitCanvas } from "./canvas_size.js";
+
 const MARGIN = 0.1; // of the height, above and below
 const LETTERS = 11; // height [px]
 const STEPS = [1, 2, 5]; // of marks on the time's axis, times a power of ten
@@ -41,8 +43,7 @@ export class HeightsView {
   #draw() {
     const canvas = this.#canvas;
     const ratio = devicePixelRatio;
-    [canvas.width, canvas.height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.round(size * ratio));
-    const { width, height } = canvas;
+    const { width, height } = fitCanvas(canvas);
     if (!width || !height || this.#curves.length === 0) return;
     const context = canvas.getContext("2d");
     const style = getComputedStyle(canvas);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The spectrum of what sounds, over a logarithmic frequency.
+import { fitCanvas } from "./canvas_size.js";
 
 const LOWEST = 50; // [Hz]
 const HIGHEST = 20000; // [Hz]
@@ -24,8 +25,7 @@ export class SpectrumView {
     analyser.getFloatFrequencyData(this.#now);
     this.#now.forEach((now, i) => { this.#decibels[i] = isHeld ? Math.max(now, this.#decibels[i]) : now; });
     const canvas = this.#canvas;
-    canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
-    canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
+    fitCanvas(canvas);
     const context = canvas.getContext("2d");
     const style = getComputedStyle(canvas);
     this.#drawMarks(context, style);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The wave form of what sounds: the newest tenth of a second or so, from where it rises through zero.
+import { fitCanvas } from "./canvas_size.js";
+
 const peakOf = (samples) => samples.reduce((most, sample) => Math.max(most, Math.abs(sample)), 0);
 
 export class WaveView {
@@ -19,8 +21,7 @@ export class WaveView {
     analyser.getFloatTimeDomainData(this.#now);
     if (!isHeld || peakOf(this.#now) > peakOf(this.#samples)) [this.#now, this.#samples] = [this.#samples, this.#now];
     const canvas = this.#canvas;
-    canvas.width = Math.round(canvas.clientWidth * devicePixelRatio);
-    canvas.height = Math.round(canvas.clientHeight * devicePixelRatio);
+    fitCanvas(canvas);
     const context = canvas.getContext("2d");
     const style = getComputedStyle(canvas);
     const middle = canvas.height / 2;

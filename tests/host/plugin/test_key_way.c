@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "plugin/key_way.h"
+#include "plugin/knob.h"
 
 static double place_of(const char *key, const char *value) {
   return key_position(tabor_parameter_find(key), value);
@@ -70,11 +71,21 @@ static void values_are_counted(void **state) {
   assert_int_equal(key_choices(tabor_parameter_find("batter.tension")), 0);
 }
 
+static void steps_are_of_one_choice_at_least(void **state) {
+  (void)state;
+  assert_true(knob_stepped(0.5, KNOB_STEP, 0) == 0.5 + KNOB_STEP);
+  assert_true(knob_stepped(0.5, KNOB_STEP, 3) == 1);
+  assert_true(knob_stepped(0.5, -KNOB_STEP, 3) == 0);
+  assert_true(knob_stepped(0.5, 0.25, 101) == 0.75);
+  assert_true(knob_stepped(1, KNOB_STEP, 0) == 1);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(ends_and_middles_are_where_they_should_be),
     cmocka_unit_test(what_stands_at_a_place_stands_there),
     cmocka_unit_test(values_are_counted),
+    cmocka_unit_test(steps_are_of_one_choice_at_least),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

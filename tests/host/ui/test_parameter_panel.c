@@ -11,6 +11,8 @@
 
 #include <cmocka.h>
 
+#include "canvas_row.h"
+
 static ParameterPanel panel;
 static TaborDrumDef def;
 static char command[PANEL_COMMAND_SIZE];
@@ -95,15 +97,6 @@ static void choices_and_numbers_go_by_steps(void **state) {
   assert_string_equal(command, "set wires.head batter");
 }
 
-static const char *row_of(int row) {
-  static char text[4 * CANVAS_COLUMNS + 1];
-  size_t length = 0;
-  for (int column = 0; column < canvas.columns; column++)
-    length += utf8_write(canvas.drawn[row][column].point, text + length);
-  text[length] = '\0';
-  return text;
-}
-
 static void it_shows_what_is_around(void **state) {
   (void)state;
   (void)take(KEY_TAB);
@@ -112,13 +105,13 @@ static void it_shows_what_is_around(void **state) {
   parameter_panel_draw(&panel, &def, &canvas, 2, 12);
   int found = -1;
   for (int row = 2; row <= 12; row++)
-    if (strstr(row_of(row), "shell.depth")) found = row;
+    if (strstr(canvas_row(&canvas, row), "shell.depth")) found = row;
   assert_true(found > 2 && found < 12);
-  assert_non_null(strstr(row_of(found), "139.7 mm"));
-  assert_non_null(strstr(row_of(found), "depth of the air"));
+  assert_non_null(strstr(canvas_row(&canvas, found), "139.7 mm"));
+  assert_non_null(strstr(canvas_row(&canvas, found), "depth of the air"));
   assert_int_equal(canvas.drawn[found][0].style, STYLE_REVERSE);
   assert_int_equal(canvas.drawn[found + 1][0].style, STYLE_PLAIN);
-  assert_null(strstr(row_of(13), "."));
+  assert_null(strstr(canvas_row(&canvas, 13), "."));
 }
 
 int main(void) {

@@ -12,6 +12,8 @@
 
 #include <cmocka.h>
 
+#include "canvas_row.h"
+
 static Canvas canvas;
 static ScreenState shown;
 static Keymap keymap;
@@ -51,15 +53,6 @@ static int begin(void **state) {
   return 0;
 }
 
-static const char *row_of(int row) {
-  static char text[4 * CANVAS_COLUMNS + 1];
-  size_t length = 0;
-  for (int column = 0; column < canvas.columns; column++)
-    length += utf8_write(canvas.drawn[row][column].point, text + length);
-  text[length] = '\0';
-  return text;
-}
-
 static void draw(int columns, int rows) {
   canvas_begin(&canvas, columns, rows);
   screen_draw(&shown, &canvas);
@@ -68,14 +61,14 @@ static void draw(int columns, int rows) {
 /* The row that has this text, or -1. */
 static int find(const char *text) {
   for (int row = 0; row < canvas.rows; row++) {
-    if (strstr(row_of(row), text)) return row;
+    if (strstr(canvas_row(&canvas, row), text)) return row;
   }
   return -1;
 }
 
 static void expect(const char *text) {
   if (find(text) >= 0) return;
-  for (int row = 0; row < canvas.rows; row++) print_message("|%s|\n", row_of(row));
+  for (int row = 0; row < canvas.rows; row++) print_message("|%s|\n", canvas_row(&canvas, row));
   fail_msg("'%s' is not shown", text);
 }
 
@@ -128,12 +121,12 @@ static void meters_are_as_long_as_their_level(void **state) {
   for (int i = 0; i < 3; i++) {
     shown.meters[0] = (Meter){.level = levels[i], .peak = METER_FLOOR};
     draw(80, 24);
-    const char *const row = row_of(find(" top"));
+    const char *const row = canvas_row(&canvas, find(" top"));
     assert_int_equal(strspn(row + 9, "#"), lengths[i]);
   }
   shown.meters[0] = (Meter){.level = METER_FLOOR, .peak = 0};
   draw(80, 24);
-  assert_int_equal(row_of(find(" top"))[9 + width - 1], '|');
+  assert_int_equal(canvas_row(&canvas, find(" top"))[9 + width - 1], '|');
 }
 
 static void messages_and_commands_have_their_rows(void **state) {
@@ -153,7 +146,7 @@ static void messages_and_commands_have_their_rows(void **state) {
   assert_int_equal(find("? help"), -1);
   line_editor_take(&line, KEY_END);
   draw(10, 3); /* the end, where the cursor is, stays in view */
-  assert_non_null(strstr(row_of(2), "nsion 20"));
+  assert_non_null(strstr(canvas_row(&canvas, 2), "nsion 20"));
   assert_int_equal(canvas.drawn[2][9].style, STYLE_REVERSE);
 }
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 import json
+import pickle
 
 import numpy as np
 import pytest
@@ -68,3 +69,21 @@ def test_an_estimate_names_what_to_lower():
     estimate = tabor.Model.estimate(largest, sample_rate=192000, quality="reference")
     assert estimate.seconds > 60 and estimate.bytes > 1e9 and estimate.key == "wires.count"
     assert tabor.Model.estimate("tabor").seconds < 1
+
+
+def test_a_saved_model_plays_the_same_bits():
+    built = tabor.Model("bodhran-d-string", quality="draft")
+    for loaded in (tabor.Model.load(built.save()), pickle.loads(pickle.dumps(built))):
+        assert loaded.info._replace(model_bytes=0) == built.info._replace(model_bytes=0)
+        assert loaded.save() == built.save() and repr(loaded) == repr(built)
+        sounds = [tabor.Drum(model).process(2400, [tabor.strike()]) for model in (built, loaded)]
+        assert np.any(sounds[0]) and np.array_equal(*sounds)
+
+
+@pytest.mark.parametrize("wrong", [b"", b"tabor" * 1000, lambda saved: saved[:-1],
+                                   lambda saved: saved[:5000] + b"?" + saved[5001:]])
+def test_bytes_that_are_no_saved_model_are_refused(wrong):
+    if callable(wrong):
+        wrong = wrong(tabor.Model("tabor", quality="draft").save())
+    with pytest.raises(tabor.Error, match="a saved model"):
+        tabor.Model.load(wrong)

@@ -9,7 +9,7 @@ set -euo pipefail
 source=$1
 shift
 
-engine="math definition air_model bodies bodies/drum bodies/plate high_band kernels model contact state air wires heads strikers step drum room kit"
+engine="math definition air_model bodies bodies/drum bodies/plate high_band kernels model saved_model contact state air wires heads strikers step drum room kit"
 host="platform base drums midi strokes files sound kit plugin window lv2 clap render library ui play inspect"
 
 work=$(mktemp -d)

@@ -1,5 +1,9 @@
 /* SPDX-License-Identifier: MIT */
-/* What builds of random drums take, beside their estimates and limits, in processor time.
+/* What builds of drums take, beside their estimates, their limits and the time to load a saved
+ * model, in processor time.
+ *
+ * build_times presets: builds each built-in preset at live, saves the model and loads it; says what
+ * part of the build's time loading takes. Fails if it is 5 % or more of one.
  *
  * build_times [COUNT [SEED]]: draws definitions, from presets of which some parameters are drawn
  * anew, until COUNT (200) of them were legal, and builds them at live. Says how far estimates are
@@ -16,7 +20,8 @@
 #include <tabor/tabor.h>
 
 static const double MOST_OFF = 3.0, MOST_ESTIMATING = 0.02, MOST_BEYOND = 1.2;
-static const double LEAST_LIMIT = 0.1; /* [s]: the clock is looked at every 50 ms at least */
+static const double MOST_LOADING = 0.05; /* of the build */
+static const double LEAST_LIMIT = 0.1;   /* [s]: the clock is looked at every 50 ms at least */
 
 static double now(void) {
   struct timespec time;
@@ -88,6 +93,55 @@ static void draw_definition(TaborDrumDef *def) {
   vary(def, uniform(0.02, 0.4));
 }
 
+/* ---- saved models ---------------------------------------------------------------------------- */
+
+static double load_time(const void *bytes, size_t size) {
+  TaborModel *model;
+  TaborError error;
+  const double began = now();
+  if (tabor_model_load(bytes, size, NULL, &model, &error) != TABOR_OK) {
+    fprintf(stderr, "build_times: %s\n", error.message);
+    exit(1);
+  }
+  const double time = now() - began;
+  tabor_model_release(model);
+  return time;
+}
+
+/* Returns the part of the build's time that loading takes. */
+static double try_saved(const TaborPresetInfo *preset) {
+  TaborDrumDef def;
+  TaborModel *model;
+  TaborModelOptions options;
+  TaborError error;
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_LIVE;
+  const double began = now();
+  if (tabor_drum_def_preset(&def, preset->name, &error) != TABOR_OK ||
+      tabor_model_create(&def, &options, &model, &error) != TABOR_OK) {
+    fprintf(stderr, "build_times: %s\n", error.message);
+    exit(1);
+  }
+  const double building = now() - began;
+  const size_t size = tabor_model_saved_size(model);
+  void *const bytes = malloc(size);
+  if (!bytes) exit(1);
+  tabor_model_save(model, bytes);
+  const double loading = load_time(bytes, size);
+  printf("%s: built in %.3f s, saved as %.1f MB, loaded in %.2f ms: %.2f %%\n", preset->name,
+         building, 1e-6 * (double)size, 1e3 * loading, 1e2 * loading / building);
+  free(bytes);
+  tabor_model_release(model);
+  return loading / building;
+}
+
+static int try_presets(void) {
+  double most = 0.0;
+  for (uint32_t i = 0; i < tabor_preset_count(); i++) most = fmax(most, try_saved(tabor_preset(i)));
+  printf("loading takes %.2f %% of building at most\n", 1e2 * most);
+  return most >= MOST_LOADING;
+}
+
 /* ---- builds ---------------------------------------------------------------------------------- */
 
 typedef struct Tally {
@@ -155,6 +209,7 @@ static void try_one(int number, Tally *tally) {
 }
 
 int main(int argc, char **argv) {
+  if (argc > 1 && strcmp(argv[1], "presets") == 0) return try_presets();
   const int count = argc > 1 ? atoi(argv[1]) : 200;
   Tally tally = {.least = INFINITY};
   seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;

@@ -44,15 +44,6 @@ void tb_model_high_drive(const TaborModel *model, uint32_t striker, double radiu
                      model->high_patches[striker], drive);
 }
 
-/* No set is wider than AVX2's where eight numbers are one register. */
-static const TbKernelsF *kernelsf_of(const TbKernels *kernels) {
-#ifdef TB_HAVE_AVX2
-  if (kernels != &tb_kernels_baseline) return &tb_kernels_avx2f;
-#endif
-  (void)kernels;
-  return &tb_kernels_baselinef;
-}
-
 /* ---- contacts ------------------------------------------------------------------------------- */
 
 /* Displacement of the head one step after a force. */
@@ -270,7 +261,7 @@ static uint64_t hash_bytes(uint64_t hash, const void *bytes, size_t size) {
   return hash;
 }
 
-static uint64_t fingerprint(const TaborModel *model) {
+uint64_t tb_model_fingerprint(const TaborModel *model) {
   uint64_t hash = 14695981039346656037u;
   hash = hash_bytes(hash, &model->sample_rate, sizeof model->sample_rate);
   hash = hash_bytes(hash, &model->modes.count, sizeof model->modes.count);
@@ -312,6 +303,20 @@ static const TbKernels *choose_kernels(uint32_t instructions) {
   if (most >= TABOR_INSTRUCTIONS_AVX2 && __builtin_cpu_supports("avx2")) return &tb_kernels_avx2;
 #endif
   return &tb_kernels_baseline;
+}
+
+/* No set is wider than AVX2's where eight numbers are one register. */
+static const TbKernelsF *kernelsf_of(const TbKernels *kernels) {
+#ifdef TB_HAVE_AVX2
+  if (kernels != &tb_kernels_baseline) return &tb_kernels_avx2f;
+#endif
+  (void)kernels;
+  return &tb_kernels_baselinef;
+}
+
+void tb_model_choose_kernels(TaborModel *model, uint32_t instructions) {
+  model->kernels = choose_kernels(instructions);
+  model->kernelsf = kernelsf_of(model->kernels);
 }
 
 static void set_accuracy(TaborModel *model, const TbLevel *level) {
@@ -413,7 +418,7 @@ static TaborStatus build(TaborModel *model, TbArena *scratch, const TbLevel *lev
   if (status == TABOR_OK) status = tb_resting_prepare(model);
   if (status == TABOR_OK) {
     tb_layout_prepare(&model->layout, model);
-    model->fingerprint = fingerprint(model);
+    model->fingerprint = tb_model_fingerprint(model);
   }
   return status;
 }
@@ -451,20 +456,39 @@ static TaborStatus check_options(const TaborModelOptions *options, TaborError *e
   return TABOR_OK;
 }
 
-static TaborStatus memory_error(TaborError *error) {
+TaborStatus tb_model_memory_error(TaborError *error) {
   return tb_error_set(error, TABOR_ERROR_MEMORY, NULL, NULL, NAN, NAN,
                       "out of memory while building a model");
+}
+
+TaborStatus tb_model_resolve_options(const TaborModelOptions *options, TaborModelOptions *chosen,
+                                     TaborError *error) {
+  tabor_model_options_default(chosen);
+  if (options) *chosen = *options;
+  const TaborStatus status = check_options(chosen, error);
+  if (status == TABOR_OK) chosen->allocator = tb_allocator_resolve(&chosen->allocator);
+  return status;
+}
+
+TaborModel *tb_model_allocate(const TaborModelOptions *options, TaborError *error) {
+  const TaborAllocator *allocator = &options->allocator;
+  TaborModel *model = allocator->allocate(sizeof *model, allocator->context);
+  if (!model) {
+    (void)tb_model_memory_error(error);
+    return NULL;
+  }
+  memset(model, 0, sizeof *model);
+  atomic_init(&model->references, 1u);
+  tb_arena_prepare(&model->arena, allocator);
+  return model;
 }
 
 /* Checks both, and puts options or defaults into `chosen`. */
 static TaborStatus resolve(const TaborDrumDef *def, const TaborModelOptions *options,
                            TaborModelOptions *chosen, TaborError *error) {
-  tabor_model_options_default(chosen);
-  if (options) *chosen = *options;
   TaborStatus status = tabor_drum_def_validate(def, error);
-  if (status == TABOR_OK) status = check_options(chosen, error);
+  if (status == TABOR_OK) status = tb_model_resolve_options(options, chosen, error);
   if (status != TABOR_OK) return status;
-  chosen->allocator = tb_allocator_resolve(&chosen->allocator);
   if (chosen->quality == TABOR_QUALITY_DEFAULT) chosen->quality = def->quality.level;
   return TABOR_OK;
 }
@@ -521,8 +545,7 @@ static TbLevel start(TaborModel *model, const TaborModelOptions *options) {
   model->steps = tb_level_steps(model->quality, model->sample_rate);
   model->step_rate = model->steps * model->sample_rate;
   model->time_step = 1.0 / model->step_rate;
-  model->kernels = choose_kernels(options->instructions);
-  model->kernelsf = kernelsf_of(model->kernels);
+  tb_model_choose_kernels(model, options->instructions);
   const TbLevel level = tb_level(&model->def, model->quality, model->sample_rate);
   model->newton_cap = level.newton_cap;
   model->inner_cap = level.inner_cap;
@@ -547,7 +570,7 @@ static TaborStatus build_error(TaborStatus status, TaborError *error) {
   switch (status) {
   case TABOR_OK:
   case TABOR_ERROR_RANGE: return status; /* whoever found it has named it */
-  case TABOR_ERROR_MEMORY: return memory_error(error);
+  case TABOR_ERROR_MEMORY: return tb_model_memory_error(error);
   case TABOR_ERROR_CANCELLED:
     return tb_error_set(error, status, NULL, NULL, NAN, NAN,
                         "the build of the model was cancelled");
@@ -600,12 +623,8 @@ TaborStatus tabor_model_create(const TaborDrumDef *def, const TaborModelOptions 
   if (status == TABOR_OK) status = check_limits(def, &chosen, error);
   if (status != TABOR_OK) return status;
 
-  const TaborAllocator allocator = chosen.allocator;
-  TaborModel *model = allocator.allocate(sizeof *model, allocator.context);
-  if (!model) return memory_error(error);
-  memset(model, 0, sizeof *model);
-  atomic_init(&model->references, 1u);
-  tb_arena_prepare(&model->arena, &allocator);
+  TaborModel *model = tb_model_allocate(&chosen, error);
+  if (!model) return TABOR_ERROR_MEMORY;
   model->def = *def;
   if (error) error->status = TABOR_OK;
   status = build_watched(model, def, &chosen, error);

@@ -153,6 +153,20 @@ struct TaborModel {
   uint64_t fingerprint; /* hash of all that a saved state depends on */
 };
 
+/* ---- set-up that building and loading share ---- */
+
+/* Checks options, and puts them or the defaults into `chosen`, with an allocator; the quality may
+ * be the default. */
+TaborStatus tb_model_resolve_options(const TaborModelOptions *options, TaborModelOptions *chosen,
+                                     TaborError *error);
+/* A model of zeros with one reference and an arena; NULL and an error if memory is short. */
+TaborModel *tb_model_allocate(const TaborModelOptions *options, TaborError *error);
+TaborStatus tb_model_memory_error(TaborError *error);
+/* The kernels for this processor, of TaborInstructions at most. */
+void tb_model_choose_kernels(TaborModel *model, uint32_t instructions);
+/* Hash of all that a saved state depends on. */
+uint64_t tb_model_fingerprint(const TaborModel *model);
+
 /* Computes the static equilibrium, into model->rest (equilibrium.c). */
 TaborStatus tb_rest_prepare(TaborModel *model, TbArena *scratch);
 

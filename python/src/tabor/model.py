@@ -129,12 +129,41 @@ class Model:
         definition, options = _resolved(definition, sample_rate, quality)
         model = ffi.new("TaborModel **")
         _create(definition, options, model, progress)
-        self._c = ffi.gc(model[0], lib.tabor_model_release)
+        self._take(model[0])
+
+    def _take(self, model: Any) -> None:
+        self._c = ffi.gc(model, lib.tabor_model_release)
         self._definition = Definition._of(lib.tabor_model_definition(self._c)[0])
-        self._rate = float(options.sample_rate)
+        self._rate = self.info.sample_rate
 
     def __repr__(self) -> str:
         return f"<tabor.Model {self._definition['drum.name']!r}, {self._rate:g} Hz, {self.info.quality}>"
+
+    def save(self) -> bytes:
+        """The model as bytes, which `load()` takes in a hundredth of the time that building takes, on the same version of Tabor and
+        the same kind of machine: 1 to 4 MB for a preset at ``"live"``. Pickling, too, goes by them."""
+        saved = ffi.new("char[]", lib.tabor_model_saved_size(self._c))
+        lib.tabor_model_save(self._c, saved)
+        return bytes(ffi.buffer(saved))
+
+    @classmethod
+    def load(cls, saved: bytes) -> Model:
+        """The model that `save()` gave; it plays the same bits.
+
+        Raises
+        ------
+        Error
+            The bytes are damaged, cut off, or of another version or machine. A checksum tells damage, not malice: load
+            what you saved yourself.
+        """
+        model = ffi.new("TaborModel **")
+        check(lib.tabor_model_load, ffi.from_buffer(saved), len(saved), ffi.NULL, model)
+        loaded = cls.__new__(cls)
+        loaded._take(model[0])
+        return loaded
+
+    def __reduce__(self) -> Tuple[Callable[[bytes], Model], Tuple[bytes]]:
+        return Model.load, (self.save(),)
 
     @staticmethod
     def estimate(definition: Union[Definition, str], sample_rate: Optional[float] = None,

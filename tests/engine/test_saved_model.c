@@ -138,12 +138,13 @@ static void facts_and_modes_are_those_of_the_built_one(void **state) {
   TaborModelInfo info[2];
   tabor_model_info(built, &info[0]);
   tabor_model_info(loaded, &info[1]);
-  info[0].model_bytes = info[1].model_bytes = 0;
-  assert_memory_equal(&info[0], &info[1], sizeof info[0]);
+  assert_true(info[0].sample_rate == info[1].sample_rate && info[0].quality == info[1].quality &&
+              info[0].mode_count == info[1].mode_count && info[0].drum_bytes == info[1].drum_bytes);
   TaborModeInfo mode, same;
   for (uint32_t row = 0; tabor_model_mode(built, row, &mode); row++) {
     assert_true(tabor_model_mode(loaded, row, &same));
-    assert_memory_equal(&mode, &same, sizeof mode);
+    assert_true(mode.m == same.m && mode.n == same.n && mode.part == same.part);
+    assert_true(mode.frequency == same.frequency && mode.decay_rate == same.decay_rate);
     double shape[2];
     assert_true(tabor_model_mode_shape(built, row, 1, 0.05, &shape[0]));
     assert_true(tabor_model_mode_shape(loaded, row, 1, 0.05, &shape[1]));

@@ -24,6 +24,14 @@ printf 'package/%s\n' LICENSE README.md audio_node.js drum.js engine.js events.j
   tabor.wasm worklet.js | sort |
   diff - files || complain "the package has other files"
 
+# What publint would suggest, too.
+if [ -e "$web_tools/node_modules/publint" ]; then
+  quietly node "$web_tools/node_modules/publint/src/cli.js" "$packed" --strict
+  grep -q 'All good' log || complain "publint: $(cat log)"
+else
+  skip_part "what publint says: tools/setup --web brings it"
+fi
+
 mkdir project takes
 (cd project && quietly npm init -y && quietly npm install --no-audit --no-fund "../$packed")
 for program in npm_strokes.mjs float_wav.mjs npm_types.ts; do cp "$SOURCE/tests/support/$program" project; done

@@ -44,6 +44,7 @@ has "libtabor$soname" "${library}libtabor\.so\.$soname" "${library}libtabor\.so\
 has libtabor-dev "${library}libtabor\.so" /usr/include/tabor/tabor.h "${library}pkgconfig/tabor.pc" \
   "${library}cmake/tabor/tabor-config.cmake" /usr/share/doc/tabor/docs/embedding.md
 has tabor /usr/bin/tabor /usr/share/man/man1/tabor.1.gz /usr/share/bash-completion/completions/tabor \
+  /usr/share/applications/tabor.desktop /usr/share/metainfo/tabor.metainfo.xml /usr/share/icons/hicolor/scalable/apps/tabor.svg \
   /usr/share/tabor/presets/snare-14x5.5.ini /usr/share/tabor/kits/standard.ini /usr/share/doc/tabor/README.md
 
 bundle=/usr/lib/lv2/tabor.lv2 contents=/usr/lib/vst3/Tabor\\.vst3/Contents

@@ -21,6 +21,7 @@ cmp built/*.whl again/*.whl || complain "two builds of the wheel differ"
 [[ $(ls built) == tabor-*-py3-none-linux_*.whl ]] || complain "the wheel is called $(ls built)"
 PATH=$bin:$PATH quietly "$bin/auditwheel" repair -w repaired built/*.whl
 [[ $(ls repaired) == tabor-*-py3-none-manylinux*.whl ]] || complain "the repaired wheel is called $(ls repaired)"
+quietly "$bin/twine" check --strict tabor-*.tar.gz repaired/*.whl
 echo "$(ls repaired): $(stat -c %s repaired/*.whl) bytes"
 
 # alone COMMAND...: without any program in the path, and with nothing in the environment but the tests' program.

@@ -33,6 +33,26 @@ echo >>one/NEWS.md
 refused 'changes that are not committed: 1 files' "$version"
 git -C one checkout --quiet NEWS.md
 
+# An identity that is filled in: a desktop's own tools find nothing to say about its entry and page.
+cp -r one named
+sed -i -E 's|(IDENTITY_ADDRESS) ""|\1 "someone@example.org"|; s|(IDENTITY_REPOSITORY) ""|\1 "https://example.org/tabor"|
+  s|(IDENTITY_ID) "tabor"|\1 "org.example.Tabor"|' named/cmake/TaborIdentity.cmake
+named/tools/release "$version" made >said 2>&1 && complain "a development version was released"
+grep -q IDENTITY said && complain "an identity that is filled in: $(cat said)"
+quietly "$CMAKE" -S named -B configured -DTABOR_BUILD_TESTS=OFF -DTABOR_INSTALL=ON
+if command -v appstreamcli >/dev/null; then
+  quietly appstreamcli validate --no-net --explain configured/host/org.example.Tabor.metainfo.xml
+  grep -q 'https://example.org/tabor' configured/host/org.example.Tabor.metainfo.xml || complain "the page has no address"
+else
+  skip_part "what appstreamcli says: needs appstream"
+fi
+if command -v desktop-file-validate >/dev/null; then
+  quietly desktop-file-validate configured/host/org.example.Tabor.desktop
+  [ ! -s log ] || complain "the menu's entry: $(cat log)"
+else
+  skip_part "what desktop-file-validate says: needs desktop-file-utils"
+fi
+
 for clone in one a-folder-with-a-longer-name; do
   quietly $clone/tools/release --trial --only source,one-file "$version" "$scratch/of-$clone"
 done

@@ -934,8 +934,8 @@ TABOR_API size_t tabor_model_saved_size(const TaborModel *model);
 TABOR_API void tabor_model_save(const TaborModel *model, void *bytes);
 /**
  * Makes a model of saved bytes, in a fraction of the time that building it takes. It plays the same
- * bits, and states saved on one load on the other. Only `instructions` and
- * `allocator` of @p options, which may be NULL, count. @p bytes may go afterwards. On an error *model is NULL:
+ * bits, and states saved on one load on the other. Only `instructions` and `allocator` of
+ * @p options, which may be NULL, count. @p bytes may go afterwards. On an error *model is NULL:
  * TABOR_ERROR_STATE for bytes that are damaged, cut off, or of another version or machine;
  * TABOR_ERROR_ARGUMENT or TABOR_ERROR_RANGE for @p options; TABOR_ERROR_MEMORY. A checksum tells
  * damage, not malice: load what you saved yourself, as you would run a program.

@@ -140,15 +140,30 @@ class Model:
         return f"<tabor.Model {self._definition['drum.name']!r}, {self._rate:g} Hz, {self.info.quality}>"
 
     def save(self) -> bytes:
-        """The model as bytes, which `load()` takes in a hundredth of the time that building takes, on the same version of Tabor and
-        the same kind of machine: 1 to 4 MB for a preset at ``"live"``. Pickling, too, goes by them."""
+        """Writes the model as bytes, so that a program starts without building it. Pickling does the same.
+
+        Returns
+        -------
+        bytes
+            For `load()` of the same version of Tabor on the same kind of machine: 1 to 4 MB for a preset at ``"live"``.
+        """
         saved = ffi.new("char[]", lib.tabor_model_saved_size(self._c))
         lib.tabor_model_save(self._c, saved)
         return bytes(ffi.buffer(saved))
 
     @classmethod
     def load(cls, saved: bytes) -> Model:
-        """The model that `save()` gave; it plays the same bits.
+        """Makes a model of bytes, in a hundredth of the time that building takes. It plays the same bits.
+
+        Parameters
+        ----------
+        saved : bytes
+            What `save()` returned.
+
+        Returns
+        -------
+        Model
+            As good as the one that was saved.
 
         Raises
         ------

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The Python package's own tests (python/tests), out of the source tree and on the shared library. They compare it with
-# the program.
+# the program. The archive of its sources has all that they include; test_python_wheel builds it.
 # shellcheck source=tests/support/embed_checks.sh
 . "$(dirname "$0")/../support/embed_checks.sh"
 # shellcheck source=tests/support/python_package.sh
@@ -13,3 +13,12 @@ import_package "$python"
 quietly "$python" -W error -m pytest -q -c "$SOURCE/pyproject.toml" --rootdir "$SOURCE" "$SOURCE/python/tests"
 grep -E '^[0-9]+ passed' log
 if grep -q skipped log; then complain "$(cat log)"; fi
+
+has_python_tools || { skip_part "the archive of sources: $no_python_tools"; exit 0; }
+make_archive='import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])'
+(cd "$SOURCE" && quietly "$python_tools/environment/bin/python" -c "$make_archive" "$scratch")
+mkdir archive && tar -xzf tabor-*.tar.gz --strip-components 1 -C archive
+for file in archive/engine/src/*/*.c archive/host/*/*.c; do
+  grep -q "${file##*/host/}" "$SOURCE/host/song_events.cmake" || [[ $file == */engine/* ]] || continue
+  quietly "$CC" -fsyntax-only -std=c11 -w -Iarchive/host -Iarchive/engine/src -Iarchive/engine/include "$file"
+done

@@ -49,6 +49,7 @@ set_property(TEST test_amalgamation APPEND PROPERTY ENVIRONMENT "SOUND_HASHES=$<
 tabor_add_embed_test(test_other_systems)
 tabor_add_embed_test(test_manual)
 tabor_add_embed_test(test_release)
+tabor_add_embed_test(test_windows_sdk)
 tabor_add_embed_test(test_packages NEEDS_SHARED)
 tabor_add_embed_test(test_abi NEEDS_SHARED)
 tabor_add_embed_test(test_jack_example)

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT */
+/* A program for Microsoft's target without a C runtime: it plays a stroke with tabor.dll, and ends with status 0 if the
+ * sound's bits have the hash that the compiler was told, HASH. */
+#include <tabor/tabor.h>
+
+enum { FRAMES = 4800 };
+
+int _fltused; /* Microsoft's compilers refer to it where numbers have points */
+__declspec(dllimport) void __stdcall ExitProcess(unsigned status);
+
+static TaborDrumDef def; /* too large for a stack that nobody probes */
+static TaborModelOptions options;
+static TaborError error;
+static float sound[FRAMES];
+
+static unsigned hash_of_sound(void) {
+  const unsigned char *bytes = (const unsigned char *)sound;
+  unsigned hash = 2166136261u; /* FNV-1a */
+  for (unsigned i = 0; i < sizeof sound; i++) hash = (hash ^ bytes[i]) * 16777619u;
+  return hash;
+}
+
+void start(void) {
+  TaborModel *model;
+  TaborDrum *drum;
+  static TaborEvent strike;
+  static float *outputs[TABOR_MAX_MICS];
+  tabor_model_options_default(&options);
+  options.quality = TABOR_QUALITY_LIVE;
+  if (tabor_drum_def_preset(&def, "tabor", &error) != TABOR_OK) ExitProcess(2);
+  if (tabor_model_create(&def, &options, &model, &error) != TABOR_OK) ExitProcess(3);
+  if (tabor_drum_create(model, &drum, &error) != TABOR_OK) ExitProcess(4);
+  strike.type = TABOR_EVENT_STRIKE;
+  strike.velocity = 2.5;
+  strike.radius = 0.05;
+  outputs[0] = sound;
+  tabor_drum_process(drum, &strike, 1, outputs, FRAMES);
+  tabor_drum_destroy(drum);
+  tabor_model_release(model);
+  ExitProcess(hash_of_sound() == HASH ? 0 : 1);
+}

@@ -131,6 +131,12 @@ const clap_plugin_entry_t *clap_host_entry(const char *binary) {
   return entry;
 }
 
+bool clap_host_has_sound_files(void) {
+  void *const library = shared_library_sndfile();
+  if (library) shared_library_close(library);
+  return library != NULL;
+}
+
 /* ---- an instance ---------------------------------------------------------------------------- */
 
 static void find_ports(ClapHost *host) {

@@ -21,7 +21,6 @@
 
 #include <cmocka.h>
 
-#include "platform/shared_library.h"
 #include "windows_names.h"
 
 static const clap_plugin_entry_t *entry;
@@ -29,13 +28,6 @@ static bool brief;
 static unsigned random_songs = 1;
 
 static const char rendered[] = "render -o";
-
-/* Without libsndfile, which is loaded at run time, kits have no sounds of files. */
-static void needs_sound_files(void) {
-  void *const library = shared_library_sndfile();
-  if (!library) skip();
-  shared_library_close(library);
-}
 
 /* Active and offline, at draft. */
 static ClapHost *activate_kit(ClapHost *host, double kit) {
@@ -414,7 +406,7 @@ static ClapHost *open_own_kit(void) {
 
 static void random_kits_are_those_of_render(void **state) {
   (void)state;
-  needs_sound_files();
+  if (!clap_host_has_sound_files()) skip();
   char path[256], options[300];
   Take expected, take;
   take_open(&expected, 2);
@@ -439,7 +431,7 @@ static void random_kits_are_those_of_render(void **state) {
 /* A state has the kit itself, not its file; notes have the names of its drums. */
 static void a_state_has_the_own_kit(void **state) {
   (void)state;
-  needs_sound_files();
+  if (!clap_host_has_sound_files()) skip();
   static ClapState saved, again;
   static float sound[CLAP_BLOCK];
   kit_write_random(7);
@@ -469,7 +461,7 @@ static void a_state_has_the_own_kit(void **state) {
 /* A note whose file is gone is silent, and the host's log has the reason; all else plays. */
 static void a_sound_that_is_gone_is_said(void **state) {
   (void)state;
-  needs_sound_files();
+  if (!clap_host_has_sound_files()) skip();
   char path[256];
   kit_write_random(7);
   song_path(path, sizeof path, "sound-one.wav");

@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: MIT */
+#define _POSIX_C_SOURCE 200809L
 #include "clap_window.h"
 
 #include <ctype.h>
@@ -6,6 +7,7 @@
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
+#include <time.h>
 
 #include <cmocka.h>
 
@@ -46,12 +48,31 @@ void open_window(Opened *opened, double scale) {
   assert_true(opened->inner != 0);
 }
 
+/* For a host that only lets messages through. */
+static void it_draws_itself(const clap_plugin_t *plugin, const clap_plugin_gui_t *gui) {
+  static const struct timespec moment = {.tv_nsec = 10000000};
+  const DesktopWindow outer = desktop_window(&server, WIDTH, HEIGHT);
+  const clap_window_t parent = {.api = NATIVE_API, NATIVE_ID(outer)};
+  assert_true(gui->set_parent(plugin, &parent));
+  assert_true(gui->show(plugin));
+  uint32_t color = 0;
+  for (int i = 0; i < 500 && color == 0; i++) {
+    (void)nanosleep(&moment, NULL);
+    desktop_settle(&server);
+    color = desktop_pixel(&server, desktop_inner(&server, outer), CONTROL_X + 2, STRAINER_Y);
+  }
+  assert_true(color != 0);
+  gui->destroy(plugin);
+  desktop_close(&server, outer);
+}
+
 void scan_window(const char *id) {
   ClapHost *const host = clap_host_scan(&clap_entry, id);
   const clap_plugin_gui_t *const gui = clap_host_extension(host, CLAP_EXT_GUI);
   assert_true(gui->is_api_supported(host->plugin, NATIVE_API, false));
   assert_false(gui->is_api_supported(host->plugin, NATIVE_API, true));
   assert_int_equal(gui->create(host->plugin, NATIVE_API, false), HAS_TIMERS);
+  if (HAS_TIMERS) it_draws_itself(host->plugin, gui);
   clap_host_close(host);
 }
 

@@ -56,6 +56,8 @@ void desktop_drag(Desktop *desktop, DesktopWindow window, int x, int y, int to_x
 /** The colour of a pixel, 0xRRGGBB. */
 uint32_t desktop_pixel(Desktop *desktop, DesktopWindow window, int x, int y);
 
+/** Lets windows take the messages that wait for them, if they have such. */
+void desktop_settle(Desktop *desktop);
 /** For a person: the window as it is, in the folder $PICTURES. */
 void keep_picture(DesktopWindow window, const char *name);
 /** Number of what a window may leave behind in this process: files that are open, of which a

@@ -14,7 +14,8 @@
 
 static const WCHAR class_name[] = L"Tabor's outer window";
 
-static void take_messages(void) {
+void desktop_settle(Desktop *desktop) {
+  (void)desktop;
   MSG message;
   while (PeekMessageW(&message, NULL, 0, 0, PM_REMOVE)) DispatchMessageW(&message);
 }
@@ -30,17 +31,15 @@ bool desktop_start(Desktop *desktop) {
 void desktop_stop(Desktop *desktop) { (void)desktop; }
 
 DesktopWindow desktop_window(Desktop *desktop, uint16_t width, uint16_t height) {
-  (void)desktop;
   const HWND window = CreateWindowExW(0, class_name, L"outer", WS_POPUP | WS_VISIBLE, 0, 0, width,
                                       height, NULL, NULL, NULL, NULL);
-  take_messages();
+  desktop_settle(desktop);
   return (DesktopWindow)window;
 }
 
 void desktop_close(Desktop *desktop, DesktopWindow window) {
-  (void)desktop;
   (void)DestroyWindow((HWND)window);
-  take_messages();
+  desktop_settle(desktop);
 }
 
 DesktopWindow desktop_inner(Desktop *desktop, DesktopWindow window) {

@@ -60,7 +60,7 @@ static void ask(Desktop *desktop) {
 }
 
 /* Everything that was asked for has been done and, by the second answer, told to other clients. */
-static void settle(Desktop *desktop) {
+void desktop_settle(Desktop *desktop) {
   ask(desktop);
   ask(desktop);
 }
@@ -71,13 +71,13 @@ DesktopWindow desktop_window(Desktop *desktop, uint16_t width, uint16_t height) 
                     width, height, 0, XCB_WINDOW_CLASS_INPUT_OUTPUT, desktop->screen->root_visual,
                     0, NULL);
   xcb_map_window(desktop->connection, window);
-  settle(desktop);
+  desktop_settle(desktop);
   return window;
 }
 
 void desktop_close(Desktop *desktop, DesktopWindow window) {
   xcb_destroy_window(desktop->connection, (xcb_window_t)window);
-  settle(desktop);
+  desktop_settle(desktop);
 }
 
 DesktopWindow desktop_inner(Desktop *desktop, DesktopWindow window) {
@@ -104,7 +104,7 @@ static void send_button(Desktop *desktop, DesktopWindow window, uint8_t type, ui
                       .event_y = (int16_t)y,
                       .same_screen = 1}};
   xcb_send_event(desktop->connection, false, (xcb_window_t)window, 0, sent.bytes);
-  settle(desktop);
+  desktop_settle(desktop);
 }
 
 void desktop_point(Desktop *desktop, DesktopWindow window, DesktopAct act, DesktopButton button,
@@ -155,7 +155,7 @@ void desktop_key(Desktop *desktop, DesktopWindow window, const char *name, unsig
                       .state = state_of(held),
                       .same_screen = 1}};
   xcb_send_event(desktop->connection, false, (xcb_window_t)window, 0, sent.bytes);
-  settle(desktop);
+  desktop_settle(desktop);
 }
 
 uint32_t desktop_pixel(Desktop *desktop, DesktopWindow window, int x, int y) {

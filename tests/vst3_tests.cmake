@@ -15,6 +15,7 @@ endif()
 
 add_executable(vst3_host support/vst3_host.cpp)
 target_link_libraries(vst3_host PRIVATE vst3-hosting vst3-sdk)
+add_dependencies(vst3_host tabor-vst3)
 
 foreach(name IN ITEMS test_vst3_bundle test_vst3_dawdreamer test_vst3_pedalboard)
   if(WIN32)
@@ -39,5 +40,6 @@ add_executable(test_vst3_window host/vst3/test_vst3_window.cpp support/user_file
 target_include_directories(test_vst3_window PRIVATE support ${CMOCKA_INCLUDE_DIRS})
 target_compile_features(test_vst3_window PRIVATE c_std_11 cxx_std_17)
 target_link_libraries(test_vst3_window PRIVATE vst3-hosting vst3-sdk PkgConfig::TABOR_WINDOW ${CMOCKA_LINK_LIBRARIES})
+add_dependencies(test_vst3_window tabor-vst3)
 add_test(NAME test_vst3_window COMMAND test_vst3_window "${PROJECT_BINARY_DIR}/vst3/Tabor.vst3")
 tabor_test_properties(test_vst3_window)

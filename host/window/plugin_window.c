@@ -111,7 +111,8 @@ void plugin_window_show(PluginWindow *window, bool shown) {
 /* The name of a drum changes with a program change, too, of which nobody tells. */
 void plugin_window_update(PluginWindow *window) {
   WindowLink *const link = &window->shell.instrument->window;
-  if (!window->outside || !plugin_window_take_view(window)) return;
+  if (!window->outside || window->is_updating || !plugin_window_take_view(window)) return;
+  window->is_updating = true;
   if (atomic_exchange(&link->is_stale, false)) {
     plugin_window_drop_view(window);
     plugin_window_note_looks(window);
@@ -120,6 +121,7 @@ void plugin_window_update(PluginWindow *window) {
   plugin_window_look(window);
   native_window_draw(window->outside);
   plugin_window_lend_view(window);
+  window->is_updating = false;
 }
 
 bool plugin_window_update_itself(PluginWindow *window) {

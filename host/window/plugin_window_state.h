@@ -32,6 +32,7 @@ struct PluginWindow {
   PluginWindowShell shell;
   uint32_t width, height;
   NativeWindow *outside; /* NULL while it is closed */
+  bool is_updating;      /* a host's menu lets timers act while it is open */
   History history;       /* of WindowSetting */
   PresetSteps steps;
   ListView list; /* while scene.list leads to it */

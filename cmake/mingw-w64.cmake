@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Toolchain file: builds Tabor for 64-bit Windows with mingw-w64, with the libraries that tools/windows-libraries
-# has built. Programs need no DLL but those of Windows.
+# has built. Programs and plugins need no DLL but those of Windows.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 
@@ -20,3 +20,4 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 set(ENV{PKG_CONFIG_LIBDIR} "${TABOR_WINDOWS_LIBRARIES}/lib/pkgconfig")
 set(PKG_CONFIG_ARGN --static)
 set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
+set(CMAKE_MODULE_LINKER_FLAGS_INIT -static)

@@ -51,8 +51,7 @@ set(test_lv2_realtime_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
 
 if(TABOR_WINDOW_FOUND)
   foreach(name IN ITEMS test_lv2_window test_lv2_kit_window)
-    set(${name}_SOURCES support/lv2_window.c support/plugin_host.c support/counted_calls.c support/window_checks.c
-                        support/x11_server.c)
+    set(${name}_SOURCES support/lv2_window.c support/plugin_host.c support/counted_calls.c support/desktop.c support/desktop_x11.c)
     set(${name}_LIBRARIES tabor-lv2-ui-archive ${TABOR_LV2_LIBRARIES})
     set(${name}_LINK_OPTIONS ${TABOR_COUNTED_CALLS})
   endforeach()

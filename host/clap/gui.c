@@ -9,9 +9,17 @@
 #include "clap/presets.h"
 #include "window/plugin_window.h"
 
+#ifdef _WIN32
+#  define NATIVE_API CLAP_WINDOW_API_WIN32
+static uintptr_t id_of(const clap_window_t *window) { return (uintptr_t)window->win32; }
+#else
+#  define NATIVE_API CLAP_WINDOW_API_X11
+static uintptr_t id_of(const clap_window_t *window) { return window->x11; }
+#endif
+
 typedef struct Gui {
   PluginWindow *window;
-  const clap_host_timer_support_t *timers;
+  const clap_host_timer_support_t *timers; /* NULL: the window updates itself */
   clap_id timer;
 } Gui;
 
@@ -113,12 +121,12 @@ static const clap_host_timer_support_t *timers_of(const clap_plugin_t *plugin) {
 /* Hosts ask while they scan, too, when they have no timers yet: create() looks for those. */
 static bool is_api_supported(const clap_plugin_t *plugin, const char *api, bool floating) {
   (void)plugin;
-  return strcmp(api, CLAP_WINDOW_API_X11) == 0 && !floating;
+  return strcmp(api, NATIVE_API) == 0 && !floating;
 }
 
 static bool get_preferred_api(const clap_plugin_t *plugin, const char **api, bool *floating) {
   (void)plugin;
-  *api = CLAP_WINDOW_API_X11;
+  *api = NATIVE_API;
   *floating = false;
   return true;
 }
@@ -136,7 +144,8 @@ static Gui *make_gui(const clap_plugin_t *plugin) {
 static bool create(const clap_plugin_t *plugin, const char *api, bool floating) {
   GuiLink *const link = link_of(plugin);
   const clap_host_timer_support_t *const timers = timers_of(plugin);
-  if (!is_api_supported(plugin, api, floating) || !timers) return false;
+  if (!is_api_supported(plugin, api, floating)) return false;
+  if (!timers && !plugin_window_has_timers()) return false;
   if (!link->gui) link->gui = make_gui(plugin);
   if (!link->gui) return false;
   link->gui->timers = timers;
@@ -200,11 +209,16 @@ static bool set_size(const clap_plugin_t *plugin, uint32_t width, uint32_t heigh
   return true;
 }
 
+static bool start_timer(const clap_plugin_t *plugin, Gui *gui) {
+  if (!gui->timers) return plugin_window_update_itself(gui->window);
+  return gui->timers->register_timer(host_of(plugin), WINDOW_PERIOD, &gui->timer);
+}
+
 static bool set_parent(const clap_plugin_t *plugin, const clap_window_t *parent) {
   Gui *const gui = gui_of(plugin);
-  if (!gui || strcmp(parent->api, CLAP_WINDOW_API_X11) != 0) return false;
-  if (!plugin_window_open(gui->window, parent->x11)) return false;
-  if (gui->timers->register_timer(host_of(plugin), WINDOW_PERIOD, &gui->timer)) return true;
+  if (!gui || strcmp(parent->api, NATIVE_API) != 0) return false;
+  if (!plugin_window_open(gui->window, id_of(parent))) return false;
+  if (start_timer(plugin, gui)) return true;
   close_window(plugin);
   return false;
 }

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file gui.h
- * The window of an instance (window/plugin_window.h) as CLAP's extension. It needs X11, and a
- * host with timers. no_gui.c is there in place of gui.c where plugins have no window.
+ * The window of an instance (window/plugin_window.h) as CLAP's extension. It is one of X11,
+ * which needs a host with timers, or of Windows. no_gui.c is there in place of gui.c where plugins
+ * have no window.
  */
 #ifndef TABOR_CLAP_GUI_H
 #define TABOR_CLAP_GUI_H

@@ -49,7 +49,7 @@ static bool make_folder(char *path) {
 static bool write_all(int descriptor, const char *text) {
   size_t left = strlen(text);
   while (left > 0) {
-    const ssize_t count = write(descriptor, text, left);
+    const ssize_t count = write(descriptor, text, (unsigned)left);
     if (count <= 0) return false;
     text += count;
     left -= (size_t)count;

@@ -142,12 +142,12 @@ static bool open(Ui *ui, const Features *features, LV2UI_Widget *widget) {
   uint32_t width, height;
   if (!make_window(ui)) return false;
   plugin_window_scale(ui->window, scale_of(features));
-  if (!plugin_window_open(ui->window, (unsigned long)(uintptr_t)features->parent)) return false;
+  if (!plugin_window_open(ui->window, (uintptr_t)features->parent)) return false;
   plugin_window_size(ui->window, &width, &height);
   if (features->resize)
     features->resize->ui_resize(features->resize->handle, (int)width, (int)height);
   plugin_window_show(ui->window, true);
-  *widget = (LV2UI_Widget)(uintptr_t)plugin_window_id(ui->window);
+  *widget = (LV2UI_Widget)plugin_window_id(ui->window);
   return true;
 }
 

@@ -6,6 +6,8 @@
 #ifndef TABOR_HOST_SHARED_LIBRARY_H
 #define TABOR_HOST_SHARED_LIBRARY_H
 
+/** Loads the library of a file, or of a name that the system knows. NULL if there is none. */
+void *shared_library_open(const char *name);
 /** Loads libsndfile, NULL if the system has none. */
 void *shared_library_sndfile(void);
 /** Copies the address of a function, named @p name, to *function; leaves NULL there if there is

@@ -4,11 +4,13 @@
 #include <dlfcn.h>
 #include <string.h>
 
+void *shared_library_open(const char *name) { return dlopen(name, RTLD_NOW | RTLD_LOCAL); }
+
 void *shared_library_sndfile(void) {
 #ifdef __APPLE__
-  return dlopen("libsndfile.1.dylib", RTLD_NOW | RTLD_LOCAL);
+  return shared_library_open("libsndfile.1.dylib");
 #else
-  return dlopen("libsndfile.so.1", RTLD_NOW | RTLD_LOCAL);
+  return shared_library_open("libsndfile.so.1");
 #endif
 }
 

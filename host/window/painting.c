@@ -6,6 +6,12 @@
 #include <stdio.h>
 #include <string.h>
 
+#ifdef _WIN32
+#  define FACE "Segoe UI"
+#else
+#  define FACE "sans-serif"
+#endif
+
 static const Box BUTTONS[BUTTON_COUNT] = {
   [BUTTON_BEFORE] = {420, 20, 28, 28},   [BUTTON_NEXT] = {668, 20, 28, 28},
   [BUTTON_COMPARE] = {420, 396, 60, 26}, [BUTTON_UNDO] = {484, 396, 28, 26},
@@ -40,7 +46,7 @@ void paint_paper(cairo_t *cairo, double scale) {
   paper(cairo);
   cairo_paint(cairo);
   cairo_scale(cairo, scale, scale);
-  cairo_select_font_face(cairo, "sans-serif", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_select_font_face(cairo, FACE, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, USUAL_TEXT);
 }
 

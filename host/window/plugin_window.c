@@ -48,7 +48,7 @@ void plugin_window_destroy(PluginWindow *window) {
 void plugin_window_resize(PluginWindow *window, uint32_t width, uint32_t height) {
   window->width = width;
   window->height = height;
-  if (window->outside) x11_window_resize(window->outside, width, height);
+  if (window->outside) native_window_resize(window->outside, width, height);
 }
 
 void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *height) {
@@ -69,18 +69,21 @@ static void draw(void *opened, cairo_t *cairo, uint32_t width, uint32_t height) 
   picture_draw(&window->scene, cairo, painting_scale(width, height));
 }
 
-bool plugin_window_open(PluginWindow *window, unsigned long parent) {
-  const X11Handler handler = {.context = window,
-                              .draw = draw,
-                              .press = plugin_window_press,
-                              .drag = plugin_window_drag,
-                              .release = plugin_window_release,
-                              .menu = plugin_window_menu,
-                              .hover = plugin_window_hover,
-                              .scroll = plugin_window_scroll,
-                              .key = plugin_window_key};
+static void tick(void *opened) { plugin_window_update(opened); }
+
+bool plugin_window_open(PluginWindow *window, uintptr_t parent) {
+  const NativeHandler handler = {.context = window,
+                                 .draw = draw,
+                                 .press = plugin_window_press,
+                                 .drag = plugin_window_drag,
+                                 .release = plugin_window_release,
+                                 .menu = plugin_window_menu,
+                                 .hover = plugin_window_hover,
+                                 .scroll = plugin_window_scroll,
+                                 .key = plugin_window_key,
+                                 .tick = tick};
   if (window->outside) return false;
-  window->outside = x11_window_create(parent, window->width, window->height, &handler);
+  window->outside = native_window_create(parent, window->width, window->height, &handler);
   if (!window->outside) return false;
   plugin_window_note_looks(window);
   plugin_window_look(window);
@@ -94,29 +97,35 @@ void plugin_window_close(PluginWindow *window) {
   atomic_store(&window->shell.instrument->window.is_shown, false);
   plugin_window_release(window);
   plugin_window_drop_view(window);
-  x11_window_destroy(window->outside);
+  native_window_destroy(window->outside);
   window->outside = NULL;
 }
 
-unsigned long plugin_window_id(const PluginWindow *window) {
-  return x11_window_id(window->outside);
-}
+uintptr_t plugin_window_id(const PluginWindow *window) { return native_window_id(window->outside); }
 
 void plugin_window_show(PluginWindow *window, bool shown) {
   atomic_store(&window->shell.instrument->window.is_shown, shown);
-  x11_window_show(window->outside, shown);
+  native_window_show(window->outside, shown);
 }
 
 /* The name of a drum changes with a program change, too, of which nobody tells. */
 void plugin_window_update(PluginWindow *window) {
   WindowLink *const link = &window->shell.instrument->window;
-  if (!window->outside || !plugin_window_take_view(window)) return;
+  if (!window->outside || window->is_updating || !plugin_window_take_view(window)) return;
+  window->is_updating = true;
   if (atomic_exchange(&link->is_stale, false)) {
     plugin_window_drop_view(window);
     plugin_window_note_looks(window);
   }
-  x11_window_take_events(window->outside);
+  native_window_take_events(window->outside);
   plugin_window_look(window);
-  x11_window_draw(window->outside);
+  native_window_draw(window->outside);
   plugin_window_lend_view(window);
+  window->is_updating = false;
 }
+
+bool plugin_window_update_itself(PluginWindow *window) {
+  return native_window_start_ticks(window->outside, WINDOW_PERIOD);
+}
+
+bool plugin_window_has_timers(void) { return native_window_has_ticks(); }

@@ -40,16 +40,21 @@ void plugin_window_size(const PluginWindow *window, uint32_t *width, uint32_t *h
 /** Gives it the size at @p scale, limited. */
 void plugin_window_scale(PluginWindow *window, double scale);
 
-/** Opens a hidden window inside @p parent, an id of X11. False if there is one, no server, or too
- * little memory. */
-bool plugin_window_open(PluginWindow *window, unsigned long parent);
+/** Opens a hidden window inside @p parent (native_window_create()). False if there is one, no such
+ * @p parent, no server, or too little memory. */
+bool plugin_window_open(PluginWindow *window, uintptr_t parent);
 bool plugin_window_is_open(const PluginWindow *window);
 void plugin_window_close(PluginWindow *window);
 
 /* Of an open window. */
-unsigned long plugin_window_id(const PluginWindow *window);
+uintptr_t plugin_window_id(const PluginWindow *window);
 void plugin_window_show(PluginWindow *window, bool shown);
 /** Takes what the mouse has done, and draws: every WINDOW_PERIOD. */
 void plugin_window_update(PluginWindow *window);
+/** Updates it from now on, for hosts that have no timers. False if this system's windows have none
+ * either. */
+bool plugin_window_update_itself(PluginWindow *window);
+/** True if this system's windows have timers. */
+bool plugin_window_has_timers(void);
 
 #endif

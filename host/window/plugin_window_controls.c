@@ -124,7 +124,8 @@ static void move_to(PluginWindow *window, double position) {
 }
 
 /* With Shift the control stays where it is, and follows slowly. */
-void plugin_window_take_control(PluginWindow *window, uint32_t number, double x, X11Touch touch) {
+void plugin_window_take_control(PluginWindow *window, uint32_t number, double x,
+                                NativeTouch touch) {
   const WindowControl *const control = control_at(window, number);
   if (!control || control->position < 0) return;
   window->is_dragging = true;
@@ -139,7 +140,7 @@ void plugin_window_take_control(PluginWindow *window, uint32_t number, double x,
   if (!touch.is_fine) plugin_window_drag_control(window, x, touch);
 }
 
-void plugin_window_drag_control(PluginWindow *window, double x, X11Touch touch) {
+void plugin_window_drag_control(PluginWindow *window, double x, NativeTouch touch) {
   const double scale = painting_scale(window->width, window->height);
   const double at = picture_position(scale, x), from = picture_position(scale, window->grip_x);
   if (!window->is_dragging) return;

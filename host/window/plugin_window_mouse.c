@@ -144,7 +144,7 @@ static void take_line(PluginWindow *window, const WindowPlace *place) {
   }
 }
 
-static void take_control(PluginWindow *window, uint32_t control, double x, X11Touch touch) {
+static void take_control(PluginWindow *window, uint32_t control, double x, NativeTouch touch) {
   if (touch.is_again) {
     plugin_window_reset_control(window, control);
   } else {
@@ -153,7 +153,7 @@ static void take_control(PluginWindow *window, uint32_t control, double x, X11To
 }
 
 /* What was being typed is given up. */
-void plugin_window_press(void *context, double x, double y, X11Touch touch) {
+void plugin_window_press(void *context, double x, double y, NativeTouch touch) {
   PluginWindow *const window = context;
   const WindowPlace place = place_at(window, x, y);
   window->typing = TYPING_NOTHING;
@@ -173,7 +173,7 @@ void plugin_window_press(void *context, double x, double y, X11Touch touch) {
   }
 }
 
-void plugin_window_drag(void *context, double x, double y, X11Touch touch) {
+void plugin_window_drag(void *context, double x, double y, NativeTouch touch) {
   PluginWindow *const window = context;
   const double scale = scale_of(window);
   if (window->holds_mic) {
@@ -211,7 +211,7 @@ void plugin_window_hover(void *context, double x, double y) {
 }
 
 /* Over a drum it changes how fast the next strokes are. */
-void plugin_window_scroll(void *context, double x, double y, int steps, X11Touch touch) {
+void plugin_window_scroll(void *context, double x, double y, int steps, NativeTouch touch) {
   PluginWindow *const window = context;
   const WindowPlace place = place_at(window, x, y);
   if (window->holds_mic || window->typing != TYPING_NOTHING) return;

@@ -11,10 +11,10 @@
 #include "window/favourites.h"
 #include "window/history.h"
 #include "window/mixer.h"
+#include "window/native_window.h"
 #include "window/plugin_window.h"
 #include "window/preset_steps.h"
 #include "window/window_scene.h"
-#include "window/x11_window.h"
 
 /** What a window takes back: knobs, and the drum or the user's own kit. */
 typedef struct WindowSetting {
@@ -31,8 +31,9 @@ typedef enum WindowTyping { TYPING_NOTHING, TYPING_VALUE, TYPING_NAME, TYPING_FI
 struct PluginWindow {
   PluginWindowShell shell;
   uint32_t width, height;
-  X11Window *outside; /* NULL while it is closed */
-  History history;    /* of WindowSetting */
+  NativeWindow *outside; /* NULL while it is closed */
+  bool is_updating;      /* a host's menu lets timers act while it is open */
+  History history;       /* of WindowSetting */
   PresetSteps steps;
   ListView list; /* while scene.list leads to it */
   WindowList listed;
@@ -87,8 +88,9 @@ void plugin_window_say(PluginWindow *window, bool is_alarm, const char *format, 
 /* ---- plugin_window_controls.c ---- */
 
 /* By the mouse, at x in pixels. */
-void plugin_window_take_control(PluginWindow *window, uint32_t control, double x, X11Touch touch);
-void plugin_window_drag_control(PluginWindow *window, double x, X11Touch touch);
+void plugin_window_take_control(PluginWindow *window, uint32_t control, double x,
+                                NativeTouch touch);
+void plugin_window_drag_control(PluginWindow *window, double x, NativeTouch touch);
 void plugin_window_release_control(PluginWindow *window);
 /* By steps. */
 void plugin_window_turn_control(PluginWindow *window, uint32_t control, int steps, bool is_fine);
@@ -118,14 +120,14 @@ void plugin_window_save(PluginWindow *window, const char *name);
 void plugin_window_ask_file(PluginWindow *window);
 void plugin_window_open_file(PluginWindow *window, const char *path);
 
-/* ---- hands: an X11Handler's calls ---- */
+/* ---- hands: a NativeHandler's calls ---- */
 
-void plugin_window_press(void *window, double x, double y, X11Touch touch);
-void plugin_window_drag(void *window, double x, double y, X11Touch touch);
+void plugin_window_press(void *window, double x, double y, NativeTouch touch);
+void plugin_window_drag(void *window, double x, double y, NativeTouch touch);
 void plugin_window_release(void *window);
 void plugin_window_menu(void *window, double x, double y);
 void plugin_window_hover(void *window, double x, double y);
-void plugin_window_scroll(void *window, double x, double y, int steps, X11Touch touch);
+void plugin_window_scroll(void *window, double x, double y, int steps, NativeTouch touch);
 void plugin_window_key(void *window, Key key, bool has_shift);
 /* Strokes at the scene's speed. */
 void plugin_window_strike(PluginWindow *window, const WindowPlace *place);

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 #include "clap_host.h"
 
-#include <dlfcn.h>
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -11,6 +10,8 @@
 #include <string.h>
 
 #include <cmocka.h>
+
+#include "platform/shared_library.h"
 
 /* ---- what the plugin asks of its host ------------------------------------------------------- */
 
@@ -121,12 +122,19 @@ static const void *no_extension(const clap_host_t *host, const char *id) {
 }
 
 const clap_plugin_entry_t *clap_host_entry(const char *binary) {
-  void *const library = dlopen(binary, RTLD_NOW | RTLD_LOCAL);
-  if (!library) fail_msg("%s", dlerror());
-  const clap_plugin_entry_t *const entry = dlsym(library, "clap_entry");
+  const clap_plugin_entry_t *entry = NULL;
+  void *const library = shared_library_open(binary);
+  if (!library) fail_msg("%s cannot be loaded", binary);
+  shared_library_find(library, "clap_entry", &entry);
   assert_non_null(entry);
   assert_true(entry->init(binary));
   return entry;
+}
+
+bool clap_host_has_sound_files(void) {
+  void *const library = shared_library_sndfile();
+  if (library) shared_library_close(library);
+  return library != NULL;
 }
 
 /* ---- an instance ---------------------------------------------------------------------------- */

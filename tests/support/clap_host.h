@@ -63,6 +63,8 @@ typedef struct ClapState {
 
 /** The entry of the file @p binary. */
 const clap_plugin_entry_t *clap_host_entry(const char *binary);
+/** Whether kits have sounds of files, which take libsndfile at run time. */
+bool clap_host_has_sound_files(void);
 /** Creates the plugin @p id at its defaults; not active. */
 ClapHost *clap_host_open(const clap_plugin_entry_t *entry, const char *id);
 /** The same with a host that has threads for plugins. */

@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file clap_window.h
- * A host of CLAP plugins that opens their windows on an X server of its own, and a hand that clicks
+ * A host of CLAP plugins that opens their windows on a desktop of its own, and a hand that clicks
  * there.
  */
 #ifndef TABOR_TESTS_CLAP_WINDOW_H
 #define TABOR_TESTS_CLAP_WINDOW_H
 
 #include "clap_host.h"
-#include "x11_server.h"
+#include "desktop.h"
 
 extern const clap_plugin_entry_t clap_entry;
-extern X11Server server; /**< of all windows of a test */
+extern Desktop server; /**< of all windows of a test */
 
 typedef struct Opened {
   ClapHost *host;
   const clap_plugin_gui_t *gui;
-  xcb_window_t outer, inner;
+  DesktopWindow outer, inner;
 } Opened;
 
-/** A host that scans is told of the window of the plugin @p id, and cannot open it for want of
- * timers. */
+/** A host that scans is told of the window of the plugin @p id, and on X11 cannot open it for want
+ * of timers. */
 void scan_window(const char *id);
 /** Opens a window of opened->host and asserts what is due. */
 void open_window(Opened *opened, double scale);
@@ -33,7 +33,7 @@ void click(const Opened *opened, int x, int y);
 void double_click(const Opened *opened, int x, int y);
 /** The wheel, up with positive @p steps. */
 void wheel(const Opened *opened, int x, int y, int steps);
-/** Presses a key (x11_server_key()), without modifiers. */
+/** Presses a key (desktop_key()), without modifiers. */
 void press_key(const Opened *opened, const char *name);
 /** Types letters and digits. */
 void type_text(const Opened *opened, const char *text);

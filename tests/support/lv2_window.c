@@ -14,7 +14,7 @@
 
 #include "window_checks.h"
 
-X11Server server;
+Desktop server;
 
 PluginHost *open_plugin(const char *uri) {
   const LV2_Descriptor *descriptor = NULL;
@@ -65,7 +65,7 @@ void open_window(Opened *opened, float scale) {
                                          sizeof scale, host_map(LV2_ATOM__Float), &scale},
                                         {0}};
   LV2UI_Widget widget = NULL;
-  opened->outer = x11_server_window(&server, (uint16_t)(scale * WIDTH), (uint16_t)(scale * HEIGHT));
+  opened->outer = desktop_window(&server, (uint16_t)(scale * WIDTH), (uint16_t)(scale * HEIGHT));
   const LV2_Feature features[] = {{LV2_UI__parent, (void *)(uintptr_t)opened->outer},
                                   {LV2_INSTANCE_ACCESS_URI, opened->host->handle},
                                   {LV2_UI__touch, &opened->touch},
@@ -80,14 +80,14 @@ void open_window(Opened *opened, float scale) {
   opened->ui = opened->descriptor->instantiate(opened->descriptor, opened->host->descriptor->URI,
                                                "", write_port, opened, &widget, list);
   assert_non_null(opened->ui);
-  opened->inner = (xcb_window_t)(uintptr_t)widget;
-  assert_int_equal(opened->inner, x11_server_inner(&server, opened->outer));
+  opened->inner = (DesktopWindow)(uintptr_t)widget;
+  assert_int_equal(opened->inner, desktop_inner(&server, opened->outer));
   tell_ports(opened);
 }
 
 void close_window(const Opened *opened) {
   opened->descriptor->cleanup(opened->ui);
-  x11_server_close(&server, opened->outer);
+  desktop_close(&server, opened->outer);
 }
 
 void close_host(const Opened *opened) {
@@ -105,7 +105,7 @@ void check_openings(PluginHost *host) {
     tick(&opened);
     if (i % 2 == 0) host_run(opened.host, 64);
     tick(&opened);
-    if (i % 5 == 0) x11_server_close(&server, opened.outer);
+    if (i % 5 == 0) desktop_close(&server, opened.outer);
     close_window(&opened);
   }
   print_message("%d windows: %ld files open before, %ld after\n", openings, before, open_files());
@@ -120,16 +120,16 @@ void tick(const Opened *opened) {
 }
 
 void click(const Opened *opened, int x, int y) {
-  x11_server_click(&server, opened->inner, x, y);
+  desktop_click(&server, opened->inner, x, y);
   tick(opened);
 }
 
 void wheel(const Opened *opened, int x, int y, int steps) {
-  x11_server_wheel(&server, opened->inner, x, y, steps);
+  desktop_wheel(&server, opened->inner, x, y, steps);
   tick(opened);
 }
 
 void drag(const Opened *opened, int x, int y, int to_x, int to_y) {
-  x11_server_drag(&server, opened->inner, x, y, to_x, to_y);
+  desktop_drag(&server, opened->inner, x, y, to_x, to_y);
   tick(opened);
 }

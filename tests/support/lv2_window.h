@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 /**
  * @file lv2_window.h
- * A host of LV2 plugins that opens their windows on an X server of its own, and a hand that clicks
+ * A host of LV2 plugins that opens their windows on a desktop of its own, and a hand that clicks
  * there.
  */
 #ifndef TABOR_TESTS_LV2_WINDOW_H
@@ -9,16 +9,16 @@
 
 #include <lv2/ui/ui.h>
 
+#include "desktop.h"
 #include "plugin_host.h"
-#include "x11_server.h"
 
-extern X11Server server; /**< of all windows of a test */
+extern Desktop server; /**< of all windows of a test */
 
 typedef struct Opened {
   PluginHost *host;
   const LV2UI_Descriptor *descriptor;
   LV2UI_Handle ui;
-  xcb_window_t outer, inner;
+  DesktopWindow outer, inner;
   uint32_t writes, grabs, releases;
   int width, height; /* that the window has asked for */
   LV2UI_Touch touch;

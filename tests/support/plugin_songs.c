@@ -11,12 +11,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
 #include "midi_writer.h"
 #include "strokes/humanize.h"
+#include "windows_names.h"
 
 static const char *program;
 static bool brief;
@@ -28,11 +28,7 @@ bool songs_begin(const char *tabor, bool shorter) {
   return mkdtemp(folder) != NULL;
 }
 
-bool songs_end(void) {
-  char command[64];
-  (void)snprintf(command, sizeof command, "rm -r '%s'", folder);
-  return system(command) == 0;
-}
+bool songs_end(void) { return remove_folder(folder) == 0; }
 
 /* ---- songs ---------------------------------------------------------------------------------- */
 
@@ -427,11 +423,13 @@ static const char *scatter_of(const char *command_name, const char *options) {
 /* As the program has it, by one of these commands. */
 void take_from(const char *command_name, const char *options, const char *const *mics, Take *take) {
   char command[1024], path[256];
-  size_t length = (size_t)snprintf(command, sizeof command,
-                                   "'%s' %s '%s/song.wav' -q --midi-file '%s/song.mid' "
-                                   "--format float --duration %s %s%s",
-                                   program, command_name, folder, folder, brief ? "0.5" : "1",
-                                   options, scatter_of(command_name, options));
+  size_t length =
+    (size_t)snprintf(command, sizeof command,
+                     QUOTED("%s") " %s " QUOTED("%s/song.wav") " -q --midi-file " QUOTED(
+                       "%s/song.mid") " "
+                                      "--format float --duration %s %s%s",
+                     program, command_name, folder, folder, brief ? "0.5" : "1", options,
+                     scatter_of(command_name, options));
   const bool chosen = strstr(options, "--stereo") || strstr(options, "--kit");
   for (uint32_t i = 0; i < take->channels && !chosen; i++) {
     length += (size_t)snprintf(command + length, sizeof command - length, " --mic %s", mics[i]);
@@ -440,7 +438,7 @@ void take_from(const char *command_name, const char *options, const char *const 
     const char *const room = strstr(options, "room.kind") ? "" : " --set room.kind=none";
     (void)snprintf(command + length, sizeof command - length, " --gain %g%s", STEREO_GAIN_DB, room);
   }
-  assert_int_equal(system(command), 0);
+  assert_int_equal(run_command(command), 0);
   song_path(path, sizeof path, "song.wav");
   if (!strstr(options, "--split")) take_read(path, take);
 }

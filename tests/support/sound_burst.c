@@ -9,7 +9,10 @@
 #include <stdlib.h>
 
 #include <cmocka.h>
+
 #include <sndfile.h>
+
+#include "windows_names.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -37,9 +40,10 @@ void burst_render(const char *program, Take *take) {
   write_burst(in);
   (void)snprintf(
     command, sizeof command,
-    "'%s' render snare-14x5.5 --quality draft --input '%s' --mic left --mic right --gain "
-    "12 --set room.kind=none --duration 0.5 --format float -q -o '%s'",
+    QUOTED("%s") " render snare-14x5.5 --quality draft --input " QUOTED(
+      "%s") " --mic left --mic right --gain "
+            "12 --set room.kind=none --duration 0.5 --format float -q -o " QUOTED("%s"),
     program, in, out);
-  assert_int_equal(system(command), 0);
+  assert_int_equal(run_command(command), 0);
   take_read(out, take);
 }

@@ -8,9 +8,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include <cmocka.h>
+
+#include "windows_names.h"
 
 #define FRAMES 4800u
 
@@ -67,8 +68,8 @@ static void write_sound(const char *name) {
 int user_files_make(void **state) {
   (void)state;
   strcpy(data, "/tmp/tabor-data-XXXXXX");
-  if (!mkdtemp(data) || setenv("XDG_DATA_HOME", data, 1) != 0) return 1;
-  if (mkdir(user_file(""), 0700) != 0) return 1;
+  if (!mkdtemp(data) || setenv(USER_DATA, data, 1) != 0) return 1;
+  if (make_folder(user_file("")) != 0) return 1;
   user_file_write("drum.ini", "[drum]\nname = mine\n[shell]\nradius = 0.15\nboundary = open\n"
                               "[batter]\ntension = 2000\nsurface_density = 0.3\n"
                               "[striker.stick]\nkind = stick\n"
@@ -83,8 +84,6 @@ int user_files_make(void **state) {
 }
 
 int user_files_remove(void **state) {
-  char command[600];
   (void)state;
-  (void)snprintf(command, sizeof command, "rm -r '%s'", data);
-  return system(command);
+  return remove_folder(data);
 }

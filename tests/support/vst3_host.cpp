@@ -8,6 +8,11 @@
 #include <cstdlib>
 #include <string>
 
+#ifdef _WIN32
+#  include <fcntl.h>
+#  include <io.h>
+#endif
+
 #include "pluginterfaces/vst/ivstaudioprocessor.h"
 #include "public.sdk/source/vst/hosting/eventlist.h"
 #include "public.sdk/source/vst/hosting/hostclasses.h"
@@ -85,6 +90,9 @@ static void play(IComponent *component, IAudioProcessor *processor, int32 note, 
 }
 
 int main(int count, char **words) {
+#ifdef _WIN32
+  _setmode(_fileno(stdout), _O_BINARY);
+#endif
   require(count == 6, "usage: vst3_host BUNDLE PLUGIN FRAME FRAMES BLOCK");
   std::string error;
   HostApplication application;

@@ -21,6 +21,8 @@
 
 #include <cmocka.h>
 
+#include "windows_names.h"
+
 static const clap_plugin_entry_t *entry;
 static bool brief;
 static unsigned random_songs = 1;
@@ -404,12 +406,13 @@ static ClapHost *open_own_kit(void) {
 
 static void random_kits_are_those_of_render(void **state) {
   (void)state;
+  if (!clap_host_has_sound_files()) skip();
   char path[256], options[300];
   Take expected, take;
   take_open(&expected, 2);
   take_open(&take, 2);
   song_path(path, sizeof path, "kit.ini");
-  (void)snprintf(options, sizeof options, "--kit '%s' --quality draft", path);
+  (void)snprintf(options, sizeof options, "--kit " QUOTED("%s") " --quality draft", path);
   for (uint64_t seed = 1; seed <= random_songs; seed++) {
     print_message("seed %u\n", (unsigned)seed);
     kit_write_random(seed);
@@ -428,6 +431,7 @@ static void random_kits_are_those_of_render(void **state) {
 /* A state has the kit itself, not its file; notes have the names of its drums. */
 static void a_state_has_the_own_kit(void **state) {
   (void)state;
+  if (!clap_host_has_sound_files()) skip();
   static ClapState saved, again;
   static float sound[CLAP_BLOCK];
   kit_write_random(7);
@@ -457,6 +461,7 @@ static void a_state_has_the_own_kit(void **state) {
 /* A note whose file is gone is silent, and the host's log has the reason; all else plays. */
 static void a_sound_that_is_gone_is_said(void **state) {
   (void)state;
+  if (!clap_host_has_sound_files()) skip();
   char path[256];
   kit_write_random(7);
   song_path(path, sizeof path, "sound-one.wav");

@@ -15,11 +15,11 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include <cmocka.h>
 
 #include "user_files.h"
+#include "windows_names.h"
 
 #define MOST 64 /* presets */
 #define FRAMES 4000
@@ -133,7 +133,7 @@ static const char *name_of(uint32_t place) {
 
 static void test_a_browser_finds_every_drum_and_kit(void **state) {
   (void)state;
-  assert_int_equal(setenv("XDG_DATA_HOME", "/nonexistent", 1), 0);
+  assert_int_equal(setenv(USER_DATA, "/nonexistent", 1), 0);
   listen(MOST);
   assert_int_equal(heard.locations, 1);
   assert_int_equal(heard.filetypes, 0);

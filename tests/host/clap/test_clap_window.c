@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of the CLAP plugins on an X server of its own: what is clicked is struck, controls
+ * The window of the CLAP plugins on a desktop of its own: what is clicked is struck, controls
  * turn and are told to the host, microphones move, presets, undo and comparison, sizes, that blocks
  * wait for nothing while it is open, and that nothing stays of a window that is closed.
  *
@@ -99,8 +99,7 @@ static void the_wheel_changes_how_fast_strokes_are(void **state) {
   clap_host_run(opened.host, FRAMES);
   const double before = peak_of(opened.host);
   opened.host->plugin->reset(opened.host->plugin);
-  for (int i = 0; i < 4; i++)
-    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, MIDDLE_X, MIDDLE_Y);
+  for (int i = 0; i < 4; i++) desktop_wheel(&server, opened.inner, MIDDLE_X, MIDDLE_Y, -1);
   click(&opened, MIDDLE_X, MIDDLE_Y);
   clap_host_run(opened.host, FRAMES);
   print_message("four notches down: %.1f dB\n", 20 * log10(peak_of(opened.host) / before));
@@ -128,7 +127,7 @@ static void what_is_no_head_is_not_struck(void **state) {
 static const struct timespec moment = {.tv_nsec = 10000000};
 
 static uint32_t green_beside(const Opened *opened) {
-  return x11_server_pixel(&server, opened->inner, BESIDE_X, BESIDE_Y) >> 8 & 255;
+  return desktop_pixel(&server, opened->inner, BESIDE_X, BESIDE_Y) >> 8 & 255;
 }
 
 /* The server draws when it comes to it: what is asked for here may come first. A head at rest is
@@ -186,7 +185,7 @@ static void a_note_leaves_its_mark(void **state) {
   tick(&opened);
   for (int i = 0; i < 500 && ((color >> 16 & 255) < 220 || (color & 255) > 80); i++) {
     (void)nanosleep(&moment, NULL);
-    color = x11_server_pixel(&server, opened.inner, x, y);
+    color = desktop_pixel(&server, opened.inner, x, y);
   }
   print_message("beside the place of the stroke: %06x\n", color);
   keep_picture(opened.outer, "note");
@@ -307,7 +306,7 @@ static void a_drum_is_chosen_from_the_list(void **state) {
         LIST_Y + 2 * LINE + LINE / 2); /* no control lies there now */
   assert_true(clap_host_value(host, KNOB_STRAINER) == strainer);
   for (int i = 0; i < 100; i++) /* to the end of the list, where the user's own are */
-    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, LIST_X, LIST_Y + LINE);
+    desktop_wheel(&server, opened.inner, LIST_X, LIST_Y + LINE, -1);
   tick(&opened);
   keep_picture(opened.outer, "own");
   click(&opened, LIST_X, LIST_Y + LINE * (LINES - 1) + LINE / 2);
@@ -387,8 +386,7 @@ static void microphones_are_dragged_and_raised(void **state) {
   keep_picture(opened.outer, "dragged");
   hear(&opened, &moved);
   assert_true(is_same(&before, &moved, 0) && !is_same(&before, &moved, 1));
-  for (int i = 0; i < 4; i++)
-    x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 5, NEAR_X, NEAR_Y);
+  for (int i = 0; i < 4; i++) desktop_wheel(&server, opened.inner, NEAR_X, NEAR_Y, -1);
   tick(&opened);
   hear(&opened, &raised);
   print_message("at 0.5 m to the right %.1f dB, over the head %.1f dB, lower by a fifth %.1f dB\n",
@@ -505,7 +503,7 @@ static void nothing_stays_of_a_window(void **state) {
     tick(&opened);
     if (i % 2 == 0) clap_host_run(opened.host, 64);
     tick(&opened);
-    if (i % 5 == 0) x11_server_close(&server, opened.outer);
+    if (i % 5 == 0) desktop_close(&server, opened.outer);
     close_window(&opened);
   }
   print_message("%d windows: %ld files open before, %ld after\n", openings, before, open_files());
@@ -540,4 +538,4 @@ static int run(void) {
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int main(void) { return x11_server_run(&server, run); }
+int main(void) { return desktop_run(&server, run); }

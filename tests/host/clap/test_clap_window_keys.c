@@ -49,8 +49,8 @@ static double strainer(const Opened *opened) {
   return clap_host_value(opened->host, KNOB_STRAINER);
 }
 
-static void press_with(const Opened *opened, const char *name, uint16_t state) {
-  x11_server_key(&server, opened->inner, name, state);
+static void press_with(const Opened *opened, const char *name, unsigned state) {
+  desktop_key(&server, opened->inner, name, state);
   tick(opened);
 }
 
@@ -61,7 +61,7 @@ static void press_times(const Opened *opened, const char *name, int times) {
 /* Types a value over the one of the focused control. */
 static void type_value(const Opened *opened, const char *text) {
   press_key(opened, "Return");
-  press_with(opened, "u", XCB_MOD_MASK_CONTROL);
+  press_with(opened, "u", DESKTOP_CONTROL);
   type_text(opened, text);
   press_key(opened, "Return");
 }
@@ -83,18 +83,18 @@ static void keys_turn_a_control(void **state) {
   press_times(&opened, "Tab", STRAINER_ROW + 1);
   press_times(&opened, "Left", 5);
   assert_true(fabs(strainer(&opened) - 0.9) < 1e-6);
-  press_with(&opened, "Left", XCB_MOD_MASK_SHIFT);
+  press_with(&opened, "Left", DESKTOP_SHIFT);
   assert_true(fabs(strainer(&opened) - 0.898) < 1e-6);
   keep_picture(opened.outer, "focus");
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL); /* all steps of one turn at once */
+  press_with(&opened, "z", DESKTOP_CONTROL); /* all steps of one turn at once */
   assert_true(strainer(&opened) == 1);
-  press_with(&opened, "y", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "y", DESKTOP_CONTROL);
   assert_true(fabs(strainer(&opened) - 0.898) < 1e-6);
   press_key(&opened, "Delete");
   assert_true(strainer(&opened) == 1);
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "z", DESKTOP_CONTROL);
   assert_true(fabs(strainer(&opened) - 0.898) < 1e-6);
-  press_with(&opened, "Z", XCB_MOD_MASK_CONTROL | XCB_MOD_MASK_SHIFT);
+  press_with(&opened, "Z", DESKTOP_CONTROL | DESKTOP_SHIFT);
   assert_true(strainer(&opened) == 1);
   close_host(&opened);
 }
@@ -114,7 +114,7 @@ static void values_are_typed(void **state) {
   press_key(&opened, "Escape");
   assert_true(fabs(strainer(&opened) - 0.25) < 1e-6);
   click(&opened, CONTROL_X + CONTROL_WIDTH - 10, CONTROL_Y + 10); /* the pitch's value */
-  press_with(&opened, "u", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "u", DESKTOP_CONTROL);
   type_text(&opened, "a3");
   keep_picture(opened.outer, "typing");
   press_key(&opened, "Return");
@@ -143,10 +143,11 @@ static void a_double_click_is_the_default(void **state) {
 static void a_right_click_opens_the_hosts_menu(void **state) {
   (void)state;
   Opened opened = open_host(ID_DRUM);
-  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 3, MIDDLE_X, MIDDLE_Y); /* the drum */
+  desktop_point(&server, opened.inner, DESKTOP_PRESS, DESKTOP_RIGHT, MIDDLE_X,
+                MIDDLE_Y); /* the drum */
   tick(&opened);
   assert_int_equal(opened.host->menus, 0);
-  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 3, CONTROL_X + 20, STRAINER_Y);
+  desktop_point(&server, opened.inner, DESKTOP_PRESS, DESKTOP_RIGHT, CONTROL_X + 20, STRAINER_Y);
   tick(&opened);
   assert_int_equal(opened.host->menus, 1);
   assert_int_equal(opened.host->menu_of, clap_host_id(KNOB_STRAINER));
@@ -230,7 +231,7 @@ static void every_parameter_of_a_drum_can_be_typed(void **state) {
   assert_true(state_has(&opened, "depth = 0.1524"));
   press_key(&opened, "Left"); /* by a step */
   assert_false(state_has(&opened, "depth = 0.1524"));
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "z", DESKTOP_CONTROL);
   assert_true(state_has(&opened, "depth = 0.1524"));
   press_key(&opened, "Delete");
   assert_true(state_has(&opened, "depth = 0.1397"));
@@ -264,14 +265,14 @@ static void every_parameter_of_a_kit_can_be_typed(void **state) {
   type_value(&opened, "6 in");
   assert_true(value_of(&opened, KIT_KNOB_KIT) == tabor_kit_count()); /* the user's own kit */
   assert_true(state_has(&opened, "shell.depth = 0.1524"));
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "z", DESKTOP_CONTROL);
   assert_true(value_of(&opened, KIT_KNOB_KIT) == 0);
-  press_with(&opened, "y", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "y", DESKTOP_CONTROL);
   assert_true(value_of(&opened, KIT_KNOB_KIT) == tabor_kit_count());
   assert_true(state_has(&opened, "shell.depth = 0.1524"));
   type_value(&opened, "5 in");
   assert_true(state_has(&opened, "shell.depth = 0.127"));
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL); /* the own kit of before */
+  press_with(&opened, "z", DESKTOP_CONTROL); /* the own kit of before */
   assert_true(state_has(&opened, "shell.depth = 0.1524"));
   close_host(&opened);
 }
@@ -287,7 +288,7 @@ static void the_list_of_pages_leads_to_a_page(void **state) {
   press_times(&opened, "Down", STRAINER_ROW + 1); /* after the last comes the first */
   type_value(&opened, "50");
   assert_true(fabs(strainer(&opened) - 0.5) < 1e-6);
-  press_with(&opened, "question", XCB_MOD_MASK_SHIFT);
+  press_with(&opened, "question", DESKTOP_SHIFT);
   keep_picture(opened.outer, "keys");
   press_key(&opened, "Escape");
   close_host(&opened);
@@ -297,7 +298,7 @@ static void the_list_of_pages_leads_to_a_page(void **state) {
 
 static void save_as(const Opened *opened, const char *name) {
   press_key(opened, "w");
-  press_with(opened, "u", XCB_MOD_MASK_CONTROL);
+  press_with(opened, "u", DESKTOP_CONTROL);
   type_text(opened, name);
   press_key(opened, "Return");
 }
@@ -356,7 +357,7 @@ static void a_file_is_opened_by_its_path(void **state) {
   type_text(&opened, user_file("drum.ini"));
   press_key(&opened, "Return");
   assert_true(state_has(&opened, "name = mine"));
-  press_with(&opened, "z", XCB_MOD_MASK_CONTROL);
+  press_with(&opened, "z", DESKTOP_CONTROL);
   assert_false(state_has(&opened, "name = mine"));
   close_host(&opened);
 }
@@ -428,4 +429,4 @@ static int run(void) {
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int main(void) { return x11_server_run(&server, run); }
+int main(void) { return desktop_run(&server, run); }

@@ -132,4 +132,4 @@ static int run(void) {
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int main(void) { return x11_server_run(&server, run); }
+int main(void) { return desktop_run(&server, run); }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /*
- * The window of the LV2 plugins on an X server of its own: what is clicked is struck, controls are
+ * The window of the LV2 plugins on a desktop of its own: what is clicked is struck, controls are
  * ports of the host, presets, undo and comparison, that runs wait for nothing while it is open, and
  * that nothing stays of a window that is closed. What is drawn is the same as in the CLAP plugins:
  * test_clap_window.
@@ -143,8 +143,7 @@ static void the_host_turns_a_control(void **state) {
   opened.host->knobs[KNOB_STRAINER] = 0.5f;
   tell_ports(&opened);
   tick(&opened);
-  x11_server_point(&server, opened.inner, XCB_BUTTON_PRESS, 4, CONTROL_X + 50,
-                   STRAINER_Y); /* wheel */
+  desktop_wheel(&server, opened.inner, CONTROL_X + 50, STRAINER_Y, 1); /* wheel */
   tick(&opened);
   assert_true(fabsf(opened.host->knobs[KNOB_STRAINER] - 0.52f) < 0.001f);
   close_host(&opened);
@@ -206,7 +205,7 @@ static void it_opens_for_its_own_instances_alone(void **state) {
   (void)state;
   PluginHost *const host = open_draft(URI_DRUM);
   Instance *const instance = host->handle;
-  const xcb_window_t outer = x11_server_window(&server, WIDTH, HEIGHT);
+  const DesktopWindow outer = desktop_window(&server, WIDTH, HEIGHT);
   const LV2_Feature parent = {LV2_UI__parent, (void *)(uintptr_t)outer},
                     access = {LV2_INSTANCE_ACCESS_URI, host->handle};
   assert_null(open_with((const LV2_Feature *const[]){&parent, NULL}, URI_DRUM));
@@ -220,7 +219,7 @@ static void it_opens_for_its_own_instances_alone(void **state) {
   assert_non_null(ui);
   lv2ui_descriptor(0)->cleanup(ui);
   assert_null(lv2ui_descriptor(2));
-  x11_server_close(&server, outer);
+  desktop_close(&server, outer);
   host_close(host);
 }
 
@@ -245,4 +244,4 @@ static int run(void) {
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
 
-int main(void) { return x11_server_run(&server, run); }
+int main(void) { return desktop_run(&server, run); }

@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: MIT */
-#include "window/x11_window.h"
+/* Each window has its own connection to the server, through XCB: an error of the server, as when
+ * the outer window is gone already, comes as an event and does no harm. */
+#include "window/native_window.h"
 
 #include <cairo-xcb.h>
 #include <stdlib.h>
@@ -9,8 +11,8 @@
 enum { LEFT = 1, RIGHT = 3, UP = 4, DOWN = 5 }; /* buttons of X11 */
 enum { SOON = 400, NEAR = 4 }; /* [ms], [pixels] of two presses that are one double click */
 
-struct X11Window {
-  X11Handler handler;
+struct NativeWindow {
+  NativeHandler handler;
   xcb_connection_t *connection;
   xcb_window_t id;
   cairo_surface_t *surface;
@@ -39,7 +41,7 @@ static xcb_visualtype_t *visual_of(xcb_screen_t *screen) {
 
 /* With the root's depth and visual, whatever the outer window has; so it needs a border pixel of
  * its own. */
-static bool open_window(X11Window *window, unsigned long parent) {
+static bool open_window(NativeWindow *window, uintptr_t parent) {
   int number = 0;
   window->connection = xcb_connect(NULL, &number);
   if (xcb_connection_has_error(window->connection)) return false;
@@ -70,19 +72,19 @@ static bool open_window(X11Window *window, unsigned long parent) {
   return cairo_surface_status(window->surface) == CAIRO_STATUS_SUCCESS;
 }
 
-X11Window *x11_window_create(unsigned long parent, uint32_t width, uint32_t height,
-                             const X11Handler *handler) {
-  X11Window *const window = calloc(1, sizeof *window);
+NativeWindow *native_window_create(uintptr_t parent, uint32_t width, uint32_t height,
+                                   const NativeHandler *handler) {
+  NativeWindow *const window = calloc(1, sizeof *window);
   if (!window) return NULL;
   window->handler = *handler;
   window->width = width;
   window->height = height;
   if (open_window(window, parent)) return window;
-  x11_window_destroy(window);
+  native_window_destroy(window);
   return NULL;
 }
 
-void x11_window_destroy(X11Window *window) {
+void native_window_destroy(NativeWindow *window) {
   if (!window) return;
   if (window->surface) {
     cairo_device_t *const device =
@@ -99,9 +101,9 @@ void x11_window_destroy(X11Window *window) {
   free(window);
 }
 
-unsigned long x11_window_id(const X11Window *window) { return window->id; }
+uintptr_t native_window_id(const NativeWindow *window) { return window->id; }
 
-void x11_window_show(X11Window *window, bool shown) {
+void native_window_show(NativeWindow *window, bool shown) {
   window->shown = shown;
   if (shown) {
     xcb_map_window(window->connection, window->id);
@@ -111,7 +113,7 @@ void x11_window_show(X11Window *window, bool shown) {
   xcb_flush(window->connection);
 }
 
-void x11_window_resize(X11Window *window, uint32_t width, uint32_t height) {
+void native_window_resize(NativeWindow *window, uint32_t width, uint32_t height) {
   const uint32_t size[] = {width, height};
   window->width = width;
   window->height = height;
@@ -122,7 +124,7 @@ void x11_window_resize(X11Window *window, uint32_t width, uint32_t height) {
 }
 
 /* Whether it is the second of two; it is then no first one of the next two. */
-static bool is_second(X11Window *window, const xcb_button_press_event_t *event) {
+static bool is_second(NativeWindow *window, const xcb_button_press_event_t *event) {
   const xcb_button_press_event_t *const before = &window->pressed;
   const bool is_near =
     abs(event->event_x - before->event_x) <= NEAR && abs(event->event_y - before->event_y) <= NEAR;
@@ -131,15 +133,15 @@ static bool is_second(X11Window *window, const xcb_button_press_event_t *event) 
   return is_again;
 }
 
-static X11Touch touch_of(uint16_t state) {
-  return (X11Touch){.is_fine = (state & XCB_MOD_MASK_SHIFT) != 0};
+static NativeTouch touch_of(uint16_t state) {
+  return (NativeTouch){.is_fine = (state & XCB_MOD_MASK_SHIFT) != 0};
 }
 
 /* A click asks for the keys, which a host's own window has at first. */
-static void take_press(X11Window *window, const xcb_button_press_event_t *event) {
-  const X11Handler *const handler = &window->handler;
+static void take_press(NativeWindow *window, const xcb_button_press_event_t *event) {
+  const NativeHandler *const handler = &window->handler;
   const double x = event->event_x, y = event->event_y;
-  X11Touch touch = touch_of(event->state);
+  NativeTouch touch = touch_of(event->state);
   if (event->detail == UP || event->detail == DOWN) {
     handler->scroll(handler->context, x, y, event->detail == UP ? 1 : -1, touch);
   } else if (event->detail == RIGHT) {
@@ -152,8 +154,8 @@ static void take_press(X11Window *window, const xcb_button_press_event_t *event)
   }
 }
 
-static void take_motion(const X11Window *window, const xcb_motion_notify_event_t *event) {
-  const X11Handler *const handler = &window->handler;
+static void take_motion(const NativeWindow *window, const xcb_motion_notify_event_t *event) {
+  const NativeHandler *const handler = &window->handler;
   if (window->held) {
     handler->drag(handler->context, event->event_x, event->event_y, touch_of(event->state));
   } else {
@@ -161,8 +163,8 @@ static void take_motion(const X11Window *window, const xcb_motion_notify_event_t
   }
 }
 
-static void take_event(X11Window *window, const xcb_generic_event_t *event) {
-  const X11Handler *const handler = &window->handler;
+static void take_event(NativeWindow *window, const xcb_generic_event_t *event) {
+  const NativeHandler *const handler = &window->handler;
   switch (event->response_type & 0x7f) {
   case XCB_BUTTON_PRESS: take_press(window, (const xcb_button_press_event_t *)event); break;
   case XCB_BUTTON_RELEASE:
@@ -186,7 +188,7 @@ static void take_event(X11Window *window, const xcb_generic_event_t *event) {
   }
 }
 
-void x11_window_take_events(X11Window *window) {
+void native_window_take_events(NativeWindow *window) {
   xcb_generic_event_t *event;
   while ((event = xcb_poll_for_event(window->connection)) != NULL) {
     take_event(window, event);
@@ -195,7 +197,7 @@ void x11_window_take_events(X11Window *window) {
 }
 
 /* In one piece, so that nothing flickers. */
-void x11_window_draw(X11Window *window) {
+void native_window_draw(NativeWindow *window) {
   if (!window->shown || xcb_connection_has_error(window->connection)) return;
   cairo_t *const cairo = cairo_create(window->surface);
   cairo_push_group(cairo);
@@ -205,4 +207,12 @@ void x11_window_draw(X11Window *window) {
   cairo_destroy(cairo);
   cairo_surface_flush(window->surface);
   xcb_flush(window->connection);
+}
+
+bool native_window_has_ticks(void) { return false; }
+
+bool native_window_start_ticks(NativeWindow *window, uint32_t period) {
+  (void)window;
+  (void)period;
+  return false;
 }

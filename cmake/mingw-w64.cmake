@@ -19,5 +19,7 @@ set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
 # pkg-config sees these libraries alone, and names what a static library needs.
 set(ENV{PKG_CONFIG_LIBDIR} "${TABOR_WINDOWS_LIBRARIES}/lib/pkgconfig")
 set(PKG_CONFIG_ARGN --static)
-set(CMAKE_EXE_LINKER_FLAGS_INIT -static)
-set(CMAKE_MODULE_LINKER_FLAGS_INIT -static)
+# The linker's time would make every build's bytes others.
+foreach(kind IN ITEMS EXE MODULE SHARED)
+  set(CMAKE_${kind}_LINKER_FLAGS_INIT "-static -Wl,--no-insert-timestamp")
+endforeach()

@@ -56,11 +56,15 @@ static const char *api_name(const PaHostApiInfo *api) {
   return api->type == paJACK ? "JACK" : api->name;
 }
 
-/* JACK's where a server runs: who starts one wants its sound there. */
+/* JACK's where a server runs: who starts one wants its sound there. On Windows WASAPI's, which is sooner heard
+ * than that of the multimedia interface. */
 static PaDeviceIndex default_output(void) {
-  const PaHostApiIndex jack = Pa_HostApiTypeIdToHostApiIndex(paJACK);
-  const PaHostApiInfo *const info = jack >= 0 ? Pa_GetHostApiInfo(jack) : NULL;
-  if (info && info->defaultOutputDevice != paNoDevice) return info->defaultOutputDevice;
+  static const PaHostApiTypeId preferred[] = {paJACK, paWASAPI};
+  for (size_t i = 0; i < sizeof preferred / sizeof *preferred; i++) {
+    const PaHostApiIndex api = Pa_HostApiTypeIdToHostApiIndex(preferred[i]);
+    const PaHostApiInfo *const info = api >= 0 ? Pa_GetHostApiInfo(api) : NULL;
+    if (info && info->defaultOutputDevice != paNoDevice) return info->defaultOutputDevice;
+  }
   return Pa_GetDefaultOutputDevice();
 }
 

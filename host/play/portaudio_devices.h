@@ -29,7 +29,7 @@ void portaudio_end(void);
 bool portaudio_output(uint32_t index, OutputDevice *device);
 /**
  * Finds the output whose label, name or host API is @p name. NULL: the default output, which is
- * JACK's if its server runs. A failure lists the available outputs.
+ * JACK's if its server runs, or WASAPI's. A failure lists the available outputs.
  */
 Outcome portaudio_find(const char *name, OutputDevice *device);
 

@@ -13,6 +13,12 @@
 
 #include <cmocka.h>
 
+#ifdef _WIN32
+#  define ROOT "Z:\\"
+#else
+#  define ROOT "/"
+#endif
+
 static LogLine read_back(char *text) {
   LogLine line;
   assert_non_null(text);
@@ -257,7 +263,7 @@ static void check_kit(const char *name, const TaborKitNoteDef *sample) {
 static void every_kit_is_read_back(void **state) {
   (void)state;
   /* from the root already, and there */
-  static const TaborKitNoteDef sample = {.sample = "/", .gain = -0.1, .choke = 3};
+  static const TaborKitNoteDef sample = {.sample = ROOT, .gain = -0.1, .choke = 3};
   for (uint32_t i = 0; i < tabor_kit_count(); i++) check_kit(tabor_kit(i)->name, &sample);
 }
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: MIT */
 /* Saved models: the same bits as those that were built, and no bytes that are not right. */
+#include "math/arena.h"
 #include "physics.h"
 
 /* usage: test_saved_model [brief]: small drums alone, for slow builds. */
@@ -238,13 +239,12 @@ static void what_is_null_is_named(void **state) {
 static int left; /* allocations that succeed */
 
 static void *give(size_t size, void *context) {
-  (void)context;
-  return left-- > 0 ? aligned_alloc(64, (size + 63) / 64 * 64) : NULL;
+  const TaborAllocator usual = tb_allocator_resolve(NULL);
+  return left-- > 0 ? usual.allocate(size, context) : NULL;
 }
 
 static void take(void *memory, void *context) {
-  (void)context;
-  free(memory);
+  tb_allocator_resolve(NULL).release(memory, context);
 }
 
 static void short_memory_is_said(void **state) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Who makes Tabor, where to reach them, and where the sources are: filled in once, by a maintainer. Packages, the
-# desktop entry, CITATION.cff and codemeta.json of a release take them from here; tools/release says what is still empty.
+# desktop entry, the plugins, CITATION.cff and codemeta.json of a release take them from here; tools/release says what is still empty.
 
 set(TABOR_IDENTITY_NAME "The Tabor authors")
 set(TABOR_IDENTITY_ADDRESS "") # of mail

@@ -62,9 +62,9 @@ static void describe(size_t number) {
                                                    .id = plugins[number].id,
                                                    .name = kind->name,
                                                    .vendor = "Tabor",
-                                                   .url = "",
-                                                   .manual_url = "",
-                                                   .support_url = "",
+                                                   .url = TABOR_REPOSITORY,
+                                                   .manual_url = TABOR_REPOSITORY,
+                                                   .support_url = TABOR_REPOSITORY,
                                                    .version = VERSION_TEXT,
                                                    .description = kind->brief,
                                                    .features = plugins[number].features};

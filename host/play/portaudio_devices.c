@@ -56,8 +56,8 @@ static const char *api_name(const PaHostApiInfo *api) {
   return api->type == paJACK ? "JACK" : api->name;
 }
 
-/* JACK's where a server runs: who starts one wants its sound there. On Windows WASAPI's, which is sooner heard
- * than that of the multimedia interface. */
+/* JACK's where a server runs: who starts one wants its sound there. On Windows WASAPI's, which is
+ * sooner heard than that of the multimedia interface. */
 static PaDeviceIndex default_output(void) {
   static const PaHostApiTypeId preferred[] = {paJACK, paWASAPI};
   for (size_t i = 0; i < sizeof preferred / sizeof *preferred; i++) {

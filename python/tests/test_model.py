@@ -80,10 +80,15 @@ def test_a_saved_model_plays_the_same_bits():
         assert np.any(sounds[0]) and np.array_equal(*sounds)
 
 
+def test_a_path_is_no_saved_model():
+    with pytest.raises(TypeError, match="bytes are needed, not 'tom.model'"):
+        tabor.Model.load("tom.model")
+
+
 @pytest.mark.parametrize("wrong", [b"", b"tabor" * 1000, lambda saved: saved[:-1],
                                    lambda saved: saved[:5000] + b"?" + saved[5001:]])
 def test_bytes_that_are_no_saved_model_are_refused(wrong):
     if callable(wrong):
         wrong = wrong(tabor.Model("tabor", quality="draft").save())
-    with pytest.raises(tabor.Error, match="a saved model"):
+    with pytest.raises(tabor.Error, match="saved model"):
         tabor.Model.load(wrong)

@@ -217,7 +217,7 @@ static void other_bytes_are_refused_by_name(void **state) {
   refuse(&saved, "another version");
   saved.bytes[8] ^= 1;
   saved.bytes[0] ^= 1;
-  refuse(&saved, "something else");
+  refuse(&saved, "no saved model");
   saved.bytes[0] ^= 1;
   saved.bytes[saved.size / 2] ^= 1;
   refuse(&saved, "damaged");

@@ -23,6 +23,8 @@ for clone in one a-folder-with-a-longer-name; do
     GIT_AUTHOR_DATE="2026-01-01T00:00:00Z" GIT_COMMITTER_DATE="2026-01-01T00:00:00Z" git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message present)
   mkdir -p $clone/build
   for part in plugins python web-tools windows-libraries; do ln -sfn "$SOURCE/build/$part" "$clone/build/$part"; done
+done
+for clone in one a-folder-with-a-longer-name; do
   quietly $clone/tools/release --trial --only "one-file,debian,plugins,windows,wheel${SITE:+,site}" "$version" "$scratch/of-$clone"
 done
 diff -r of-one of-a-folder-with-a-longer-name || complain "two clones give other bytes"
@@ -38,8 +40,7 @@ first_sound() {
 }
 sounds() { [ "$("$INSPECT" peak "$1")" != 0 ] || complain "$1 is silent"; }
 
-first_sound one-file sh -c "tar -xzf '$scratch/of-one/tabor-$version-one-file.tar.gz' --strip-components 1 && cp '$SOURCE/examples/minimal.c' . &&
-  mkdir tabor && cp tabor.h tabor && $CC -O1 -I. minimal.c tabor.c -lm -o minimal && ./minimal"
+first_sound one-file sh -c "tar -xzf '$scratch/of-one/tabor-$version-one-file.tar.gz' --strip-components 1 && $CC -O2 minimal.c tabor.c -lm -o minimal && ./minimal"
 
 tar -xzf "of-one/tabor-$version-plugins-linux-$(uname -m).tar.gz"
 plugins=$scratch/tabor-$version-plugins-linux-$(uname -m)

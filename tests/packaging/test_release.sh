@@ -28,7 +28,12 @@ refused() {
 refused "version '9.9.9': the sources are of $version" 9.9.9
 refused "version '$version': a development version is not released" "$version"
 refused 'TABOR_IDENTITY_ADDRESS in cmake/TaborIdentity.cmake is empty' "$version"
-refused "only 'everything': one of source" --only everything "$version"
+refused "only 'everything': no such part" --only everything "$version"
+one/tools/release "$version" --only >said 2>&1 && complain "--only without a part was taken"
+grep -q "only: names of parts are missing" said || complain "--only without a part: $(cat said)"
+mkdir precious && echo thesis >precious/thesis.txt
+one/tools/release --trial --only source "$version" precious >said 2>&1 && complain "it emptied a folder that is not its own"
+grep -q "folder 'precious': it holds something else" said && [ -e precious/thesis.txt ] || complain "another folder: $(cat said)"
 echo >>one/NEWS.md
 refused 'changes that are not committed: 1 files' "$version"
 git -C one checkout --quiet NEWS.md

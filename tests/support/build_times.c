@@ -210,6 +210,10 @@ static void try_one(int number, Tally *tally) {
 
 int main(int argc, char **argv) {
   if (argc > 1 && strcmp(argv[1], "presets") == 0) return try_presets();
+  if (argc > 1 && atoi(argv[1]) < 1) {
+    fprintf(stderr, "usage: build_times presets | [COUNT [SEED]]\n");
+    return 2;
+  }
   const int count = argc > 1 ? atoi(argv[1]) : 200;
   Tally tally = {.least = INFINITY};
   seed = argc > 2 ? strtoull(argv[2], NULL, 10) : 1;

@@ -924,12 +924,12 @@ TABOR_API void tabor_model_release(TaborModel *model);
 /** The definition that the model was built from, with tensions for pitches; valid as long as the
  * model. */
 TABOR_API const TaborDrumDef *tabor_model_definition(const TaborModel *model);
-/** Number of bytes that tabor_model_save() writes: 1 to 30 MB for the built-in presets at live. */
+/** Number of bytes that tabor_model_save() writes: 1 to 4 MB for the built-in presets at live. */
 TABOR_API size_t tabor_model_saved_size(const TaborModel *model);
 /**
  * Writes @p model to @p bytes, tabor_model_saved_size() of them, so that a program or a game starts
- * without building it. They are for the same build of this library on the same kind of machine;
- * what instructions its processor has does not matter.
+ * without building it. They are for the same version of this library on processors of the same
+ * kind, whatever instructions these have and whatever the operating system.
  */
 TABOR_API void tabor_model_save(const TaborModel *model, void *bytes);
 /**

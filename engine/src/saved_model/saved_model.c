@@ -67,24 +67,26 @@ void tabor_model_save(const TaborModel *model, void *bytes) {
 /* ---- loading -------------------------------------------------------------------------------- */
 
 static TaborStatus refuse(TaborError *error, const char *why) {
-  return tb_error_set(error, TABOR_ERROR_STATE, NULL, NULL, NAN, NAN, "a saved model %s", why);
+  return tb_error_set(error, TABOR_ERROR_STATE, NULL, NULL, NAN, NAN, "%s", why);
 }
 
 static TaborStatus check_bytes(const void *bytes, size_t size, TaborError *error) {
   Head head;
-  if (size < HEAD + RECORD) return refuse(error, "is cut off");
+  if (size < HEAD + RECORD) return refuse(error, "the saved model is cut off");
   memcpy(&head, bytes, sizeof head);
   const Head own = head_of(size - HEAD);
   if (memcmp(head.magic, own.magic, sizeof own.magic) != 0) {
-    return refuse(error, "was expected, these bytes are something else");
+    return refuse(error, "these bytes are no saved model");
   }
   if (memcmp(head.version, own.version, sizeof own.version) != 0 ||
       head.model_bytes != own.model_bytes) {
-    return refuse(error, "of another version of Tabor, or of another kind of machine: build it");
+    return refuse(error,
+                  "the saved model is of another version of Tabor, or of another kind of machine");
   }
-  if (head.block_bytes != own.block_bytes) return refuse(error, "is cut off, or too long");
+  if (head.block_bytes != own.block_bytes)
+    return refuse(error, "the saved model is cut off, or too long");
   if (head.checksum != tb_checksum((const char *)bytes + HEAD, size - HEAD)) {
-    return refuse(error, "is damaged");
+    return refuse(error, "the saved model is damaged");
   }
   return TABOR_OK;
 }
@@ -104,7 +106,7 @@ static TaborStatus put_together(TaborModel *model, char *block, size_t size, Tab
   if (transfer.failed || transfer.at != size ||
       tabor_drum_def_validate(&model->def, NULL) != TABOR_OK ||
       tb_model_fingerprint(model) != model->fingerprint) {
-    return refuse(error, "contradicts itself");
+    return refuse(error, "the saved model contradicts itself");
   }
   return TABOR_OK;
 }

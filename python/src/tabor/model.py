@@ -171,8 +171,10 @@ class Model:
             The bytes are damaged, cut off, or of another version or machine. A checksum tells damage, not malice: load
             what you saved yourself.
         """
+        if isinstance(saved, str):
+            raise TypeError(f"bytes are needed, not {saved!r}: read the file first")
         model = ffi.new("TaborModel **")
-        check(lib.tabor_model_load, ffi.from_buffer(saved), len(saved), ffi.NULL, model)
+        check(lib.tabor_model_load, ffi.from_buffer(saved), memoryview(saved).nbytes, ffi.NULL, model)
         loaded = cls.__new__(cls)
         loaded._take(model[0])
         return loaded

@@ -107,7 +107,7 @@ _tabor() {
   # bash takes '=' for a word of its own: --quality=live is three, and --set wires.count=4 four.
   local key=
   if [ "$word" = "=" ]; then
-    word= key=$before
+    word="" key=$before
   elif [ "$before" = "=" ]; then
     key=${COMP_WORDS[COMP_CWORD - 2]} before=$key
   fi

@@ -62,11 +62,9 @@ if command -v $arm >/dev/null; then
 else
   missing+=(gcc-aarch64-linux-gnu libc6-dev-arm64-cross)
 fi
-zig=$SOURCE/build/python/environment/lib/python3.*/site-packages/ziglang/zig
-# shellcheck disable=SC2086 # a pattern
-if [ -x $zig ]; then
-  # shellcheck disable=SC2086
-  printf '#!/bin/sh\nexec %s cc -target aarch64-macos "$@"\n' $zig >macos-cc
+zig=$(find "$SOURCE/build/python/environment/lib" -path '*/site-packages/ziglang/zig' 2>/dev/null || true)
+if [ -n "$zig" ]; then
+  printf '#!/bin/sh\nexec %s cc -target aarch64-macos "$@"\n' "$zig" >macos-cc
   chmod +x macos-cc
   export ZIG_GLOBAL_CACHE_DIR=$scratch/zig ZIG_LOCAL_CACHE_DIR=$scratch/zig
   printf 'set(CMAKE_SYSTEM_%s)\n' "NAME Darwin" "PROCESSOR arm64" >macos.cmake

@@ -53,7 +53,7 @@ same "has none either" null "$(json partials.0.t60)"
 
 # ---- several ----
 
-drum=(200,-6,10 348,-12,9 485,-20,12 524,-14,19 2000,-10,60 5000,-20,200)
+drum=("200,-6,10" "348,-12,9" "485,-20,12" "524,-14,19" "2000,-10,60" "5000,-20,200")
 "$SYNTHESISE" drum.wav 48000 1 2 0.25 -999 "${drum[@]}"
 done_quietly analyze drum.wav --json
 partials "${drum[@]}"

@@ -141,7 +141,7 @@ if ! command -v strace >/dev/null; then
   skip_part "failing writes: needs strace"
 elif traced -e trace=write true; then
   for name in plain.wav plain.flac plain.au; do
-    words=("$TABOR" render "${short[@]}" -o $name --trace whole.csv)
+    words=("$TABOR" render "${short[@]}" -o "$name" --trace whole.csv)
     traced -e trace=write "${words[@]}"
     writes=$(wc -l <"$private/calls")
     check "$name takes some writes" test "$writes" -gt 5
@@ -231,6 +231,7 @@ check "it is on its way" wait_for catches $child 15
 kill -TERM $child
 wait $child
 same "status while it waits for a reader" 143 $?
+# shellcheck disable=SC2217 # it shall not read
 sleep 300 >pipe.au <pipe.au & # somebody who does not read either
 holder=$!
 "$TABOR" render tabor -q --quality draft --duration 60 -o pipe.au 2>"$err" &

@@ -33,7 +33,7 @@ refused "--output needs a value" render -o
 
 # ---- numbers ----
 
-absurd=(nan NaN inf -inf infinity 1e400 -1e400 '' ' ' 3x x3 0x1p3 0x10 ' 1' '1 ' 1,5 1e 1e+ . + - -e1 1.2.3 --3 $'1\n')
+absurd=(nan NaN inf -inf infinity 1e400 -1e400 '' ' ' 3x x3 0x1p3 0x10 ' 1' '1 ' '1,5' 1e 1e+ . + - -e1 1.2.3 --3 $'1\n')
 for number in "${absurd[@]}"; do
   refused "--rate .*allowed: 22050 to 192000" render "--rate=$number"
   refused "--duration .*allowed: 0.01 to 3600" render "--duration=$number"

@@ -157,6 +157,7 @@ wait_for() {
 # test compares times, it measures the delays of the machine as well.
 
 # Largest delay of a sleeping process on a calm machine [s].
+# shellcheck disable=SC2034 # of the tests
 CALM=0.002
 
 # watch_machine: starts to measure by how much the machine delays a sleeping process.

@@ -36,6 +36,7 @@ exec {jack_report}>&1 # where skips are reported, though a command's output may 
 # JACK's clients can wait for ever for a server that has dropped them or that ends while they close, so none of its
 # tools runs, and none of the processes is waited for, without a limit [s]. What they do here takes 2 s.
 jack_patience=60
+# shellcheck disable=SC2120 # as it can
 jack_lsp() { timeout --kill-after=5 $jack_patience jack_lsp "$@"; }
 jack_connect() { timeout --kill-after=5 $jack_patience jack_connect "$@"; }
 jack_rec() { timeout --kill-after=5 $jack_patience jack_rec "$@"; }

@@ -8,6 +8,7 @@
 python_tools=$SOURCE/build/python
 
 has_python_tools() { cmp -s "$SOURCE/python/requirements.txt" "$python_tools/installed.txt"; }
+# shellcheck disable=SC2034 # of the tests
 no_python_tools="the packages of python/requirements.txt are not in build/python: run tools/setup --python"
 
 # import_package PYTHON: puts the package, as a wheel has it, where this Python finds it.

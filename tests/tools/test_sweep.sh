@@ -25,7 +25,7 @@ END
 chmod +x program
 mkdir unlucky # luck, for now
 
-study=(tabor --vary batter.tension=2000:4000:3 --vary velocity=1,4 --takes 2 --quality draft --duration 0.3
+study=(tabor --vary batter.tension=2000:4000:3 --vary "velocity=1,4" --takes 2 --quality draft --duration 0.3
   --program ./program)
 sweep() { timeout 120 "$python" "$source/examples/python/sweep.py" "$@" >"$out" 2>"$err"; }
 calls() { wc -l <calls; }

@@ -6,8 +6,8 @@
 source=$1
 . "$(dirname "$0")/../support/host_checks.sh"
 . "$(dirname "$0")/../support/find_python.sh"
-python=$(find_python soundfile)
-needs python3-soundfile "${python:-none}"
+python=$(find_python sys)
+needs python3 "${python:-none}"
 needs mkdocs "$source/build/python/environment/bin/mkdocs"
 
 build() { "$python" "$source/tools/site" --program "$TABOR" -o site >"$out" 2>"$err"; }
@@ -23,7 +23,7 @@ same "what is loaded from elsewhere" "" "$(grep -rhoE '<(script|link|img|audio|s
   grep -v 'rel="canonical"')"
 same "a player for each sound" "$(grep -c '^| \[' "$source/docs/listen.md")" "$(grep -o '<audio' $html/docs/listen.html | wc -l)"
 for sound in $(grep -oE 'src="sounds/[^"]*' $html/docs/listen.html | cut -d '"' -f 2); do
-  same "what $sound is" "OggS" "$(head -c 4 "$html/docs/$sound")"
+  same "what $sound is" "fLaC" "$(head -c 4 "$html/docs/$sound")"
 done
 check "a parameter of a drum" grep -q '<code>pitch</code>' $html/docs/parameters.html
 check "a live parameter of a hi-hat" grep -q '<code>opening</code>' $html/docs/parameters.html

@@ -27,7 +27,8 @@ same "nothing else lies there" "$(printf '%s\n' "${clips[@]##*/}" | sort)" "$(ls
 check "they can be made" "$make" -p "$TABOR" -o made
 for clip in made/*; do check_clip "$clip"; done
 same "the same ones" "$(ls "$source/docs/sounds")" "$(ls made)"
-holds "made anew they are small, too" "$(size made) < 1.5e6"
+# The program's files are larger than the best that FLAC can do, for the sake of equal bytes (host/files/audio_file.c).
+holds "made anew they are small, too" "$(size made) < 1.8e6"
 
 "$make" -p ./none >"$out" 2>"$err"
 same "without a program" "1 1" "$? $(wc -l <"$err")"

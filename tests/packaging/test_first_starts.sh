@@ -44,8 +44,8 @@ first_sound one-file sh -c "tar -xzf '$scratch/of-one/tabor-$version-one-file.ta
 
 tar -xzf "of-one/tabor-$version-plugins-linux-$(uname -m).tar.gz"
 plugins=$scratch/tabor-$version-plugins-linux-$(uname -m)
-first_sound clap "$STATIC_BUILD/tests/test_clap_render" "$TABOR" "$plugins/tabor.clap"
-first_sound lv2 "$STATIC_BUILD/tests/test_lv2_render" "$TABOR" "$plugins/tabor.lv2/tabor.so"
+first_sound clap "$STATIC_BUILD/tests/test_clap_render" "$TABOR" "$plugins/tabor.clap" songs 1
+first_sound lv2 "$STATIC_BUILD/tests/test_lv2_render" "$TABOR" "$plugins/tabor.lv2/tabor.so" songs 1
 first_sound vst3 sh -c "'$STATIC_BUILD/tests/vst3_host' '$plugins/Tabor.vst3' Tabor 100 9600 512 >sound"
 [ "$(tr -d '\0' <start/vst3/sound | wc -c)" -gt 0 ] || complain "the VST3 plugin is silent"
 

@@ -29,6 +29,25 @@ static TaborModel *load(const Saved *saved) {
   return model;
 }
 
+/* A built model, its bytes, and what they load as. */
+typedef struct Pair {
+  TaborModel *built, *loaded;
+  Saved saved;
+} Pair;
+
+static Pair pair_of(const TaborDrumDef *def, double rate, uint32_t quality) {
+  Pair pair = {.built = physics_model(def, rate, quality)};
+  pair.saved = save(pair.built);
+  pair.loaded = load(&pair.saved);
+  return pair;
+}
+
+static void pair_end(Pair *pair) {
+  tabor_model_release(pair->built);
+  tabor_model_release(pair->loaded);
+  free(pair->saved.bytes);
+}
+
 static void refuse(const Saved *saved, const char *why) {
   TaborModel *model = (TaborModel *)saved;
   TaborError error = {0};
@@ -84,14 +103,10 @@ static void expect_same_bytes(const Saved *saved, const TaborModel *loaded, cons
 }
 
 static void try_drum(const TaborDrumDef *def, const char *name, uint32_t quality) {
-  TaborModel *const built = physics_model(def, 48000.0, quality);
-  const Saved saved = save(built);
-  TaborModel *const loaded = load(&saved);
-  expect_same_bytes(&saved, loaded, name);
-  expect_same_sound(built, loaded, name);
-  tabor_model_release(built);
-  tabor_model_release(loaded);
-  free(saved.bytes);
+  Pair pair = pair_of(def, 48000.0, quality);
+  expect_same_bytes(&pair.saved, pair.loaded, name);
+  expect_same_sound(pair.built, pair.loaded, name);
+  pair_end(&pair);
 }
 
 static void each_preset_has_the_same_bits(void **state) {
@@ -133,36 +148,30 @@ static void instructions_do_not_matter(void **state) {
 static void facts_and_modes_are_those_of_the_built_one(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("tom-12");
-  TaborModel *const built = physics_model(&def, 44100.0, TABOR_QUALITY_DRAFT);
-  const Saved saved = save(built);
-  TaborModel *const loaded = load(&saved);
+  Pair pair = pair_of(&def, 44100.0, TABOR_QUALITY_DRAFT);
   TaborModelInfo info[2];
-  tabor_model_info(built, &info[0]);
-  tabor_model_info(loaded, &info[1]);
+  tabor_model_info(pair.built, &info[0]);
+  tabor_model_info(pair.loaded, &info[1]);
   assert_true(info[0].sample_rate == info[1].sample_rate && info[0].quality == info[1].quality &&
               info[0].mode_count == info[1].mode_count && info[0].drum_bytes == info[1].drum_bytes);
   TaborModeInfo mode, same;
-  for (uint32_t row = 0; tabor_model_mode(built, row, &mode); row++) {
-    assert_true(tabor_model_mode(loaded, row, &same));
+  for (uint32_t row = 0; tabor_model_mode(pair.built, row, &mode); row++) {
+    assert_true(tabor_model_mode(pair.loaded, row, &same));
     assert_true(mode.m == same.m && mode.n == same.n && mode.part == same.part);
     assert_true(mode.frequency == same.frequency && mode.decay_rate == same.decay_rate);
     double shape[2];
-    assert_true(tabor_model_mode_shape(built, row, 1, 0.05, &shape[0]));
-    assert_true(tabor_model_mode_shape(loaded, row, 1, 0.05, &shape[1]));
+    assert_true(tabor_model_mode_shape(pair.built, row, 1, 0.05, &shape[0]));
+    assert_true(tabor_model_mode_shape(pair.loaded, row, 1, 0.05, &shape[1]));
     assert_true(shape[0] == shape[1]);
   }
-  tabor_model_release(built);
-  tabor_model_release(loaded);
-  free(saved.bytes);
+  pair_end(&pair);
 }
 
 static void states_go_from_one_to_the_other(void **state) {
   (void)state;
   const TaborDrumDef def = physics_preset("bodhran-d-string");
-  TaborModel *const built = physics_model(&def, 48000.0, TABOR_QUALITY_DRAFT);
-  const Saved saved = save(built);
-  TaborModel *const loaded = load(&saved);
-  TaborDrum *const first = physics_drum(built), *const second = physics_drum(loaded);
+  Pair pair = pair_of(&def, 48000.0, TABOR_QUALITY_DRAFT);
+  TaborDrum *const first = physics_drum(pair.built), *const second = physics_drum(pair.loaded);
   float *const sound[2] = {calloc((size_t)TABOR_MAX_MICS * FRAMES, sizeof(float)),
                            calloc((size_t)TABOR_MAX_MICS * FRAMES, sizeof(float))};
   play(first, sound[0]);
@@ -176,11 +185,9 @@ static void states_go_from_one_to_the_other(void **state) {
   free(sound[0]);
   free(sound[1]);
   free(bytes);
-  free(saved.bytes);
   tabor_drum_destroy(first);
   tabor_drum_destroy(second);
-  tabor_model_release(built);
-  tabor_model_release(loaded);
+  pair_end(&pair);
 }
 
 /* ---- bytes that are not right ---------------------------------------------------------------- */

@@ -8,6 +8,7 @@
 # shellcheck source=tests/support/python_package.sh
 . "$SOURCE/tests/support/python_package.sh"
 needs git git
+needs universal-ctags ctags
 has_python_tools || skip "$no_python_tools"
 needs gcc-mingw-w64-x86-64-posix x86_64-w64-mingw32-gcc-posix
 needs wine wine
@@ -18,9 +19,7 @@ version=$("$TABOR" --version | cut -d ' ' -f 2)
 
 # Two clones in different folders make the same bytes.
 for clone in one a-folder-with-a-longer-name; do
-  fresh_clone $clone
-  (cd $clone && git init --quiet && git add --all &&
-    GIT_AUTHOR_DATE="2026-01-01T00:00:00Z" GIT_COMMITTER_DATE="2026-01-01T00:00:00Z" git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message present)
+  committed_clone $clone
   mkdir -p $clone/build
   for part in plugins python web-tools windows-libraries; do ln -sfn "$SOURCE/build/$part" "$clone/build/$part"; done
 done

@@ -15,9 +15,7 @@ grep -E '^[0-9]+ passed' log
 if grep -q skipped log; then complain "$(cat log)"; fi
 
 has_python_tools || { skip_part "the archive of sources: $no_python_tools"; exit 0; }
-make_archive='import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])'
-fresh_clone clean # without build folders, through all of which it would look
-(cd clean && quietly "$python_tools/environment/bin/python" -c "$make_archive" "$scratch")
+make_sdist "$scratch"
 mkdir archive && tar -xzf tabor-*.tar.gz --strip-components 1 -C archive
 for file in archive/engine/src/*/*.c archive/host/*/*.c; do
   grep -q "${file##*/host/}" "$SOURCE/host/song_events.cmake" || [[ $file == */engine/* ]] || continue

@@ -12,9 +12,7 @@ bin=$python_tools/environment/bin
 unset PYTHONPATH TABOR_LIBRARY
 export CC PIP_CONFIG_FILE=/dev/null CMAKE_BUILD_PARALLEL_LEVEL=2 PYTHONDONTWRITEBYTECODE=1 SOURCE_DATE_EPOCH=1000000000
 
-make_archive='import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])'
-fresh_clone clean # without build folders, through all of which it would look
-(cd clean && quietly "$bin/python" -c "$make_archive" "$scratch")
+make_sdist "$scratch"
 for folder in built again; do # pip unpacks the archive into another folder each time
   quietly "$bin/pip" wheel --no-index --no-build-isolation --no-deps -w $folder tabor-*.tar.gz
 done

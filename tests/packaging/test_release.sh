@@ -11,12 +11,7 @@ needs universal-ctags ctags
 export HOME=$scratch
 
 version=$("$TABOR" --version | cut -d ' ' -f 2)
-git config --global user.name nobody && git config --global user.email nobody@localhost
-export GIT_AUTHOR_DATE="2026-01-01T00:00:00Z" GIT_COMMITTER_DATE="2026-01-01T00:00:00Z"
-for clone in one a-folder-with-a-longer-name; do
-  fresh_clone $clone
-  (cd $clone && git init --quiet && git add --all && git commit --quiet --message present)
-done
+for clone in one a-folder-with-a-longer-name; do committed_clone $clone; done
 
 # refused PATTERN ARGUMENT...: by the first clone; nothing is made.
 refused() {

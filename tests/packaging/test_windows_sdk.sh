@@ -50,18 +50,7 @@ for header in tabor kit; do
   quietly "${msvc[@]}" -std=c11 -fsyntax-only $header.c
   quietly "${msvc[@]}" -x c++ -std=c++17 -fsyntax-only $header.c
 done
-cat >hash.c <<'END'
-#include <stdio.h>
-#define _fltused unused
-#define __declspec(kind)
-#define __stdcall
-static void ExitProcess(unsigned status);
-#include "windows_bare.c"
-#include <stdlib.h>
-static void ExitProcess(unsigned status) { if (status > 1) exit((int)status); printf("0x%xu\n", hash_of_sound()); exit(0); }
-int main(void) { start(); }
-END
-quietly "$CC" -std=gnu11 -w -DHASH=0 -I"$SOURCE/tests/support" -I"$SOURCE/engine/include" hash.c "$STATIC_BUILD/engine/libtabor.a" -lm -o hash
+quietly "$CC" -std=c11 -I"$SOURCE/engine/include" "$SOURCE/tests/support/windows_bare.c" "$STATIC_BUILD/engine/libtabor.a" -lm -o hash
 quietly "${msvc[@]}" -std=c11 -DHASH="$(./hash)" -c "$SOURCE/tests/support/windows_bare.c" -o bare.obj
 quietly lld-link-14 /entry:start /subsystem:console /nodefaultlib /out:built/bare.exe bare.obj sdk/lib/tabor.lib \
   "$(x86_64-w64-mingw32-gcc-posix -print-file-name=libkernel32.a)"

@@ -29,6 +29,11 @@ static double now(void) {
   return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
+static void fail(const TaborError *error) {
+  fprintf(stderr, "build_times: %s\n", error->message);
+  exit(1);
+}
+
 /* ---- random definitions ---------------------------------------------------------------------- */
 
 static uint64_t seed;
@@ -86,10 +91,7 @@ static void vary(TaborDrumDef *def, double probability) {
 static void draw_definition(TaborDrumDef *def) {
   TaborError error;
   const TaborPresetInfo *const preset = tabor_preset((uint32_t)(draw() % tabor_preset_count()));
-  if (tabor_drum_def_preset(def, preset->name, &error) != TABOR_OK) {
-    fprintf(stderr, "build_times: %s\n", error.message);
-    exit(1);
-  }
+  if (tabor_drum_def_preset(def, preset->name, &error) != TABOR_OK) fail(&error);
   vary(def, uniform(0.02, 0.4));
 }
 
@@ -99,10 +101,7 @@ static double load_time(const void *bytes, size_t size) {
   TaborModel *model;
   TaborError error;
   const double began = now();
-  if (tabor_model_load(bytes, size, NULL, &model, &error) != TABOR_OK) {
-    fprintf(stderr, "build_times: %s\n", error.message);
-    exit(1);
-  }
+  if (tabor_model_load(bytes, size, NULL, &model, &error) != TABOR_OK) fail(&error);
   const double time = now() - began;
   tabor_model_release(model);
   return time;
@@ -118,10 +117,8 @@ static double try_saved(const TaborPresetInfo *preset) {
   options.quality = TABOR_QUALITY_LIVE;
   const double began = now();
   if (tabor_drum_def_preset(&def, preset->name, &error) != TABOR_OK ||
-      tabor_model_create(&def, &options, &model, &error) != TABOR_OK) {
-    fprintf(stderr, "build_times: %s\n", error.message);
-    exit(1);
-  }
+      tabor_model_create(&def, &options, &model, &error) != TABOR_OK)
+    fail(&error);
   const double building = now() - began;
   const size_t size = tabor_model_saved_size(model);
   void *const bytes = malloc(size);

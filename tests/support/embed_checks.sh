@@ -40,6 +40,14 @@ fresh_clone() {
     tar --null -T - -cf -) | tar -xf - -C "$1"
 }
 
+# committed_clone FOLDER: the same as a repository of one commit, which is the same in every folder.
+committed_clone() {
+  fresh_clone "$1"
+  (cd "$1" && git init --quiet && git add --all &&
+    GIT_AUTHOR_DATE="2026-01-01T00:00:00Z" GIT_COMMITTER_DATE="2026-01-01T00:00:00Z" \
+      git -c user.name=nobody -c user.email=nobody@localhost commit --quiet --message present)
+}
+
 # install_tree BUILD-FOLDER FOLDER: installs into another folder and moves the tree to FOLDER: trees must be movable.
 install_tree() {
   quietly "$CMAKE" --install "$1" --prefix "$scratch/elsewhere"

@@ -11,6 +11,12 @@ has_python_tools() { cmp -s "$SOURCE/python/requirements.txt" "$python_tools/ins
 # shellcheck disable=SC2034 # of the tests
 no_python_tools="the packages of python/requirements.txt are not in build/python: run tools/setup --python"
 
+# make_sdist FOLDER: the archive of the package's sources, from a clean clone: it would look through all build folders.
+make_sdist() {
+  fresh_clone clean
+  (cd clean && quietly "$python_tools/environment/bin/python" -c 'import sys; from scikit_build_core.build import build_sdist; build_sdist(sys.argv[1])' "$1")
+}
+
 # import_package PYTHON: puts the package, as a wheel has it, where this Python finds it.
 import_package() {
   cp -r "$SOURCE/python/src" package

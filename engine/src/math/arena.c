@@ -88,8 +88,7 @@ void *tb_arena_take(TbArena *arena, size_t count, size_t size) {
     arena->failed = true;
     return NULL;
   }
-  const size_t bytes =
-    (count * size + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT + sizeof(TbArenaChunk);
+  const size_t bytes = TB_ALIGNED(count * size) + sizeof(TbArenaChunk);
   TbArenaChunk *chunk = arena->allocator.allocate(bytes, arena->allocator.context);
   if (!chunk) {
     arena->failed = true;

@@ -8,6 +8,8 @@
 #include "tabor/tabor.h"
 
 #define TB_ALIGNMENT 64u
+/* Rounds bytes up to a multiple of it. */
+#define TB_ALIGNED(bytes) (((bytes) + TB_ALIGNMENT - 1u) / TB_ALIGNMENT * TB_ALIGNMENT)
 
 typedef struct TbArenaChunk TbArenaChunk;
 

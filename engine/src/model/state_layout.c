@@ -20,7 +20,7 @@ static size_t work_floats(const TaborModel *model) {
 
 static size_t place(size_t *total, size_t count) {
   const size_t at = *total;
-  *total += (count * sizeof(double) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
+  *total += TB_ALIGNED(count * sizeof(double));
   return at;
 }
 

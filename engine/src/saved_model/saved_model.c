@@ -20,8 +20,8 @@ typedef struct Head {
 } Head;
 
 static const char MAGIC[8] = {'t', 'a', 'b', 'o', 'r', 'm', 'd', 'l'};
-static const size_t HEAD = (sizeof(Head) + TB_ALIGNMENT - 1u) / TB_ALIGNMENT * TB_ALIGNMENT;
-static const size_t RECORD = (sizeof(TaborModel) + TB_ALIGNMENT - 1u) / TB_ALIGNMENT * TB_ALIGNMENT;
+static const size_t HEAD = TB_ALIGNED(sizeof(Head));
+static const size_t RECORD = TB_ALIGNED(sizeof(TaborModel));
 
 /* Writes the block, or with NULL counts its bytes. Writing only reads the model. */
 static size_t write_block(const TaborModel *model, char *block) {
@@ -43,22 +43,22 @@ static Head head_of(size_t block_bytes) {
 
 size_t tabor_model_saved_size(const TaborModel *model) { return HEAD + write_block(model, NULL); }
 
-/* Leaves out the parts that belong to this process. */
-static void clear_own(TaborModel *record) {
-  memset(&record->references, 0, sizeof record->references);
-  memset(&record->arena, 0, sizeof record->arena);
-  record->kernels = NULL;
-  record->kernelsf = NULL;
+/* Leaves out the parts that belong to this process. A model is too large for some threads' stacks,
+ * and the block may be anywhere. */
+static void clear_own(char *block) {
+#define CLEAR(part) memset(block + offsetof(TaborModel, part), 0, sizeof((TaborModel *)0)->part)
+  CLEAR(references);
+  CLEAR(arena);
+  CLEAR(kernels);
+  CLEAR(kernelsf);
+#undef CLEAR
 }
 
 void tabor_model_save(const TaborModel *model, void *bytes) {
   char *const block = (char *)bytes + HEAD;
   const size_t size = write_block(model, block);
   Head head = head_of(size);
-  TaborModel record;
-  memcpy(&record, block, sizeof record);
-  clear_own(&record);
-  memcpy(block, &record, sizeof record);
+  clear_own(block);
   head.checksum = tb_checksum(block, size);
   memset(bytes, 0, HEAD);
   memcpy(bytes, &head, sizeof head);

@@ -6,10 +6,6 @@
 
 #include "math/arena.h"
 
-static size_t round_up(size_t bytes) {
-  return (bytes + TB_ALIGNMENT - 1u) / TB_ALIGNMENT * TB_ALIGNMENT;
-}
-
 static void *read_pointer(const void *pointer) {
   void *array;
   memcpy(&array, pointer, sizeof array);
@@ -17,7 +13,7 @@ static void *read_pointer(const void *pointer) {
 }
 
 /* The next array takes `bytes`, of which there are enough. */
-static void pass(TbTransfer *t, size_t bytes) { t->at = round_up(t->at + bytes); }
+static void pass(TbTransfer *t, size_t bytes) { t->at = TB_ALIGNED(t->at + bytes); }
 
 static void fail(TbTransfer *t, void *pointer) {
   const void *const none = NULL;
@@ -42,7 +38,7 @@ static void write_array(TbTransfer *t, void *pointer, size_t bytes) {
   const size_t place = t->record.at + (size_t)((const char *)pointer - t->record.memory);
   if (t->block) {
     memcpy(t->block + t->at, read_pointer(pointer), bytes);
-    memset(t->block + t->at + bytes, 0, round_up(t->at + bytes) - t->at - bytes);
+    memset(t->block + t->at + bytes, 0, TB_ALIGNED(t->at + bytes) - t->at - bytes);
     memcpy(t->block + place, &offset, sizeof offset);
   }
   pass(t, bytes);

@@ -4,7 +4,7 @@
 #include "model/state_layout.h"
 
 /* Begin of the arrays, whose places the model's layout tells. */
-static const size_t HEADER = (sizeof(TbState) + TB_ALIGNMENT - 1) / TB_ALIGNMENT * TB_ALIGNMENT;
+static const size_t HEADER = TB_ALIGNED(sizeof(TbState));
 
 size_t tb_state_head_bytes(void) { return HEADER; }
 

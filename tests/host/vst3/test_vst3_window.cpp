@@ -265,8 +265,7 @@ static void a_click_is_a_stroke(void **) {
       assert_true(plugin.run() == 0);
       window.frame.tick();
     }
-    const uint32_t head =
-      desktop_pixel(&server, window.inner, scale * MIDDLE_X, scale * MIDDLE_Y);
+    const uint32_t head = desktop_pixel(&server, window.inner, scale * MIDDLE_X, scale * MIDDLE_Y);
     const uint32_t beside = desktop_pixel(&server, window.inner, scale * 5, scale * 5);
     print_message("the head is #%06x, beside it #%06x\n", unsigned(head), unsigned(beside));
     assert_true(head != 0 && head != beside);
@@ -365,7 +364,7 @@ static void nothing_stays_of_a_window(void **) {
     window.frame.tick();
     if (i % 2 == 0) continue;
     assert_true(window.view->removed() == kResultOk); /* as JUCE does it: */
-    desktop_close(&server, window.outer);          /* the outer window goes first, */
+    desktop_close(&server, window.outer);             /* the outer window goes first, */
     window.frame.tick();                              /* timers still act, */
     window.view = nullptr;                            /* then the view goes */
     assert_true(window.frame.has_none());

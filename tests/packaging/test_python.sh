@@ -7,7 +7,8 @@
 # shellcheck source=tests/support/python_package.sh
 . "$SOURCE/tests/support/python_package.sh"
 
-python=$(find_python cffi,numpy,pytest) || skip "needs python3 python3-cffi python3-numpy python3-pytest"
+python=$(find_python cffi,numpy,pytest,scipy,soundfile,threadpoolctl) ||
+  skip "needs python3 python3-cffi python3-numpy python3-pytest python3-scipy python3-soundfile python3-threadpoolctl"
 
 import_package "$python"
 quietly "$python" -W error -m pytest -q -c "$SOURCE/pyproject.toml" --rootdir "$SOURCE" "$SOURCE/python/tests"

@@ -1,0 +1,13 @@
+# SPDX-License-Identifier: MIT
+"""Finds the drum of a recording.
+
+``python -m tabor.fit drum.toml -o FOLDER`` reads recordings of one drum and what is known of it, and writes a preset and
+a table of parameters with 90 % intervals. The first stage compares partials with modes, in closed form; the next ones
+simulate recordings, with strikers, microphones, rooms and noise, and learn from them what the recording says. It takes the
+packages of ``pip install tabor[fit]``. docs/fit.md in the source tree is the guide.
+"""
+
+from .fitting import Estimate, Fit, Settings, fit
+from .request import Request, read_request
+
+__all__ = ["Estimate", "Fit", "Request", "Settings", "fit", "read_request"]

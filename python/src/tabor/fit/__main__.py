@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""The command line: ``python -m tabor.fit``."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import sys
+from typing import List, Optional
+
+from .._library import Error
+from ..model import Model
+from ..takes import _processors
+from .comparison import best_speed, partial_differences, stroke_differences
+from .fitting import Fit, Settings, fit
+from .request import Request, read_request
+
+
+def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
+    parser = argparse.ArgumentParser(
+        prog="python -m tabor.fit", description="Find the drum of a recording: a preset, and its parameters with 90 % intervals.",
+        epilog="A fit that was ended goes on where it was when it is started again with the same folder.")
+    parser.add_argument("request", help="a TOML file that names the recordings and says what is known of the drum")
+    parser.add_argument("-o", "--output", metavar="FOLDER", default="fit", help="where all is written (default: fit)")
+    parser.add_argument("-j", "--jobs", type=int, default=_processors(), help="threads (default: one for each processor)")
+    parser.add_argument("--rounds", default="45,40,40", help="simulations of each round (default: 45,40,40)")
+    parser.add_argument("--seed", type=int, default=1, help="of all that is drawn (default: 1)")
+    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing about the stages")
+    return parser.parse_args(given)
+
+
+def _counts(text: str) -> List[int]:
+    counts = [int(one) if one.strip().isdecimal() else 0 for one in text.split(",")]
+    if min(counts) < 1:
+        raise Error(f"--rounds {text}: allowed: numbers of simulations, separated by commas")
+    return counts
+
+
+def _write_table(path: str, found: Fit) -> None:
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(["parameter", "value", "low", "high", "looked for from", "to", "determined"])
+        for one in found.estimates:
+            numbers = [f"{number:.5g}" for number in (one.value, one.low, one.high, one.least, one.most)]
+            table.writerow([one.key, *numbers, "yes" if one.determined else "no"])
+
+
+def _print_differences(request: Request, found: Fit) -> None:
+    model = Model(found.definition, request.rate, "live")
+    speeds = found.speeds
+    print("Third octaves beside the recording, root mean square [dB]: 0-50 ms, 50-200 ms")
+    kept = [best_speed(model, request.mics, stroke) for stroke in request.kept]
+    for strokes, fast, kind in ((request.strokes, speeds, "fitted"), (request.kept, kept, "predicted")):
+        for one in stroke_differences(model, request.mics, strokes, fast):
+            print(f"  {one.early:5.1f} {one.late:5.1f}  {kind} at {one.speed:.2f} m/s: {one.name}")
+    print("Partials of the recording [Hz], the model's beside them [cents], ratio of decay rates")
+    for partial in partial_differences(model, request.mics, request.strokes, speeds):
+        print(f"  {partial.frequency:7.1f} {partial.cents:+6.0f} {partial.decay_ratio:6.2f}")
+
+
+def _run(arguments: argparse.Namespace) -> None:
+    counts = _counts(arguments.rounds)
+    if arguments.jobs < 1:
+        raise Error(f"--jobs {arguments.jobs}: allowed: 1 or more")
+    request = read_request(arguments.request)
+    settings = Settings(tuple(counts), arguments.jobs, arguments.seed)
+    say = (lambda text: None) if arguments.quiet else (lambda text: print(text, file=sys.stderr, flush=True))
+    found = fit(request, arguments.output, settings, say)
+    preset = os.path.join(arguments.output, f"{request.name}.ini")
+    found.definition.save(preset)
+    _write_table(os.path.join(arguments.output, "parameters.csv"), found)
+    for one in found.estimates:
+        print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g}{'' if one.determined else '   not determined'}")
+    if found.surprise > 2:
+        print(f"The model does not follow the recording: {found.surprise:.1f} times the expected difference, by which intervals are wider.")
+    _print_differences(request, found)
+    print(f"Written: {preset}")
+
+
+def main(given: Optional[List[str]] = None) -> int:
+    """Runs the command.
+
+    Parameters
+    ----------
+    given : list of str, optional
+        Its arguments; those of the process unless given.
+
+    Returns
+    -------
+    int
+        The exit status: 0, or 1 after an error, which is said in a line.
+    """
+    arguments = _arguments(given)
+    try:
+        _run(arguments)
+    except (Error, OSError) as wrong:
+        print(f"tabor.fit: {wrong}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        return 130
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""How far the drum that was found is from the recordings."""
+
+from __future__ import annotations
+
+from typing import List, NamedTuple, Sequence, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._library import Error
+from ..model import Model
+from ..events import strike
+from ..rendering import render
+from .features import BANDS, WINDOWS, features
+from .partials import find_partials
+from .recordings import DURATION, Recording, Stroke, from_stroke
+
+Array = NDArray[np.float64]
+
+_COMPARED = WINDOWS[:2]
+_NEAR = 0.04  # of frequencies of partials that may be the same
+_LEAST_LEVEL = -20.0  # of the recording's partials that are compared, below the strongest [dB]
+_SPEEDS = np.geomspace(0.5, 12.0, 25)  # among which one is looked for [m/s]
+
+
+class StrokeDifference(NamedTuple):
+    """Of one stroke at one microphone."""
+
+    name: str  #: of the recording
+    speed: float  #: of the model's stroke [m/s]
+    early: float  #: root mean square difference of third octaves from 0 to 50 ms, each relative to their sum [dB]
+    late: float  #: the same from 50 to 200 ms [dB]
+
+
+class PartialDifference(NamedTuple):
+    """Of one partial of the recording from the model's nearest."""
+
+    frequency: float  #: in the recording [Hz]
+    decay_rate: float  #: in the recording [1/s]
+    level: float  #: in the recording, below the strongest [dB]
+    cents: float  #: of the model's frequency over the recording's; NaN where the model has none within 4 %
+    decay_ratio: float  #: of the model's decay rate over the recording's
+
+
+def _normalized(levels: Array) -> Array:
+    """Of one window, relative to their sum."""
+    return np.asarray(levels - 10 * np.log10(np.sum(10 ** (levels / 10))))
+
+
+def difference(recorded: Array, modelled: Array) -> Tuple[float, float]:
+    """Root mean square differences of third octaves in the first two windows [dB]."""
+    found = []
+    for window in range(len(_COMPARED)):
+        bands = slice(window * len(BANDS), (window + 1) * len(BANDS))
+        found.append(float(np.sqrt(np.mean((_normalized(recorded[bands]) - _normalized(modelled[bands])) ** 2))))
+    return found[0], found[1]
+
+
+def played(model: Model, mics: Sequence[str], speed: float, duration: float = DURATION) -> Stroke:
+    """The model's stroke of a speed, as a recording."""
+    sound = np.asarray(render(model, [strike(0.0, velocity=speed)], duration, mics=mics), np.float64)
+    rows = [from_stroke(row) for row in sound]
+    return Stroke(tuple(Recording(mic, row, row[None], model.sample_rate) for mic, row in zip(mics, rows)))
+
+
+def _misfit(recorded: Stroke, modelled: Stroke) -> float:
+    return float(sum(np.mean((features(one.channels, one.rate) - features(two.channels, two.rate)) ** 2)
+                     for one, two in zip(recorded.recordings, modelled.recordings)))
+
+
+def best_speed(model: Model, mics: Sequence[str], recorded: Stroke) -> float:
+    """The speed whose stroke is nearest to a recording [m/s]."""
+    costs = [_misfit(recorded, played(model, mics, float(speed))) for speed in _SPEEDS]
+    place = int(np.clip(np.argmin(costs), 1, len(_SPEEDS) - 2))
+    # The lowest point of a parabola in the logarithm of the speed.
+    before, here, after = costs[place - 1:place + 2]
+    bend = before - 2 * here + after
+    shift = 0.0 if bend <= 0 else float(np.clip(0.5 * (before - after) / bend, -1, 1))
+    return float(_SPEEDS[place] * (_SPEEDS[1] / _SPEEDS[0]) ** shift)
+
+
+def stroke_differences(model: Model, mics: Sequence[str], strokes: Sequence[Stroke],
+                       speeds: Sequence[float]) -> List[StrokeDifference]:
+    """Each stroke at each microphone, beside the model's stroke of a speed."""
+    found = []
+    for stroke, speed in zip(strokes, speeds):
+        for one, two in zip(stroke.recordings, played(model, mics, speed).recordings):
+            found.append(StrokeDifference(one.name, speed, *difference(features(one.channels, one.rate), features(two.channels, two.rate))))
+    return found
+
+
+def partial_differences(model: Model, mics: Sequence[str], strokes: Sequence[Stroke],
+                        speeds: Sequence[float]) -> List[PartialDifference]:
+    """The recordings' partials beside the nearest of the model's strokes, at the first microphone."""
+    recorded = find_partials([stroke.recordings[0] for stroke in strokes])
+    try:
+        modelled = find_partials([played(model, mics[:1], speed).recordings[0] for speed in speeds])
+    except Error:  # it rings too little
+        modelled = recorded._replace(frequency=np.full(1, np.inf), decay_rate=np.ones(1), level=np.zeros(1))
+    found = []
+    for frequency, decay, level in zip(*recorded):
+        if level < _LEAST_LEVEL:
+            continue
+        nearest = int(np.argmin(np.abs(np.log(modelled.frequency / frequency))))
+        apart = float(np.log(modelled.frequency[nearest] / frequency))
+        near = abs(apart) < _NEAR
+        found.append(PartialDifference(float(frequency), float(decay), float(level), 1200 * apart / np.log(2) if near else np.nan,
+                                       float(modelled.decay_rate[nearest] / decay) if near else np.nan))
+    return found

@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""What is looked for, and between which values.
+
+A parameter is looked for as its logarithm, equally likely everywhere between its limits. Nuisance parameters belong to
+the recording, not to the drum: microphones, room, speeds of strokes.
+"""
+
+from __future__ import annotations
+
+from typing import Dict, List, Mapping, NamedTuple, Tuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._library import Error
+from ..definition import Definition
+
+Array = NDArray[np.float64]
+
+SPEED = "speed"  # of the hardest stroke [m/s]
+SPEED_RANGE = "speed_range"  # of the hardest stroke over that of the softest
+
+# Limits as factors of the base preset's value.
+_HEADS: Dict[str, Tuple[float, float]] = {
+    "batter.tension": (0.6, 1.6), "resonant.tension": (0.6, 1.6),
+    "batter.surface_density": (0.85, 1.15), "resonant.surface_density": (0.85, 1.15),
+    "batter.damping_0": (0.5, 2.0), "resonant.damping_0": (0.5, 2.0),
+    "batter.damping_k": (0.5, 2.0), "resonant.damping_k": (0.5, 2.0),
+    "strike.radius": (0.4, 2.0), "striker.contact_stiffness": (0.1, 10.0), "striker.mass": (0.6, 1.6),
+}
+_WIRES: Dict[str, Tuple[float, float]] = {
+    "wires.tension": (0.4, 2.5), "wires.mass_per_length": (0.8, 1.25), "wires.rest_spread": (0.4, 2.5),
+    "wires.contact_loss": (0.3, 3.0),
+}
+_ROOM: Dict[str, Tuple[float, float]] = {"room.level": (0.2, 2.0)}
+_SPEEDS: Dict[str, Tuple[float, float]] = {SPEED: (3.0, 8.0)}
+_ALL_SPEEDS: Dict[str, Tuple[float, float]] = {SPEED: (3.0, 8.0), SPEED_RANGE: (2.0, 10.0)}
+_NUISANCES = ("room.", "mic.", SPEED)
+
+
+class Parameter(NamedTuple):
+    """One that is looked for."""
+
+    key: str  #: of a definition, or SPEED, or SPEED_RANGE
+    low: float  #: in the key's unit
+    high: float  #: in the key's unit
+
+    @property
+    def is_nuisance(self) -> bool:
+        """Whether it belongs to the recording."""
+        return self.key.startswith(_NUISANCES)
+
+
+class Space:
+    """Parameters together: vectors of their logarithms stand for drums."""
+
+    def __init__(self, base: Definition, parameters: List[Parameter]) -> None:
+        self.base, self.parameters = base, tuple(parameters)
+        self.keys = tuple(one.key for one in parameters)
+        self.low, self.high = np.log([[one.low, one.high] for one in parameters]).T
+
+    def values(self, point: Array) -> Dict[str, float]:
+        """What the vector stands for, by key."""
+        return {key: float(value) for key, value in zip(self.keys, np.exp(point))}
+
+    def definition(self, point: Array) -> Definition:
+        """The drum that the vector stands for."""
+        drum = self.base.copy()
+        for key, value in self.values(point).items():
+            if not key.startswith(SPEED):
+                drum[key] = value
+        return drum
+
+
+def _key(base: Definition, key: str) -> str:
+    """A key of the usual striker by its full name."""
+    head, _, rest = key.partition(".")
+    if head != "striker":
+        return key
+    usual = str(base["strike.striker"]) or base.strikers[0]
+    return f"striker.{usual}.{rest}"
+
+
+def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str, Tuple[float, float]],
+             are_levels_known: bool = True) -> Space:
+    """The parameters of a drum that are looked for.
+
+    Parameters
+    ----------
+    base : Definition
+        The drum as far as it is known.
+    known : mapping
+        Keys that are not looked for.
+    ranges : mapping of str to (float, float)
+        Limits in place of the usual ones, in the keys' units.
+    are_levels_known : bool
+        Whether the recordings' levels tell the speeds of strokes apart.
+
+    Returns
+    -------
+    Space
+        What is looked for.
+
+    Raises
+    ------
+    Error
+        A range is upside down.
+    """
+    usual = {**_HEADS, **(_WIRES if base["wires.count"] else {}), **(_ROOM if base.has_room else {})}
+    limits: Dict[str, Tuple[float, float]] = {}
+    for key, (low, high) in usual.items():
+        key = _key(base, key)
+        if key not in known and key in base and float(base[key]) > 0:
+            limits[key] = (low * float(base[key]), high * float(base[key]))
+    limits.update(_SPEEDS if are_levels_known else _ALL_SPEEDS)
+    limits.update(ranges)
+    for key, (low, high) in limits.items():
+        if not 0 < low < high:
+            raise Error(f"range of {key}: {low:g} to {high:g}; allowed: two positive numbers, the smaller first")
+        if not key.startswith(SPEED):
+            base.copy({key: low}).copy({key: high}).validate()  # says what is not allowed
+    return Space(base, [Parameter(key, *limit) for key, limit in limits.items()])

@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: MIT
+"""Fitting recorded drums. The recordings here are simulated, so that the truth is known."""
+
+import json
+
+import numpy as np
+import pytest
+import soundfile
+
+import tabor
+from tabor.fit import Settings, fit, read_request
+from tabor.fit.__main__ import main
+from tabor.fit.features import BANDS, LABELS, features, make_noise, noise_of
+from tabor.fit.inference import infer
+from tabor.fit.journal import Journal
+from tabor.fit.modal_fit import fit_partials
+from tabor.fit.parameters import space_of
+from tabor.fit.partials import find_partials
+from tabor.fit.recordings import checked
+
+RATE = 48000
+BASE = {"room.kind": "studio", "mic.top.response": "flat"}
+TRUTH = {"batter.tension": 1650.0, "resonant.tension": 1500.0, "batter.damping_0": 8.0}
+REQUEST = """
+[drum]
+name = "found"
+preset = "tom-10"
+[known]
+"room.kind" = "studio"
+"mic.top.response" = "flat"
+[strokes]
+top = "stroke-*.wav"
+"""
+
+
+def struck(speeds, seed=0, **changes):
+    random = np.random.default_rng(seed)
+    model = tabor.Model(tabor.Definition("tom-10", {**BASE, **TRUTH, **changes}), RATE)
+    sounds = [tabor.render(model, [tabor.strike(0.02, velocity=speed)], 1.2)[0].astype(float) for speed in speeds]
+    return [sound + 3e-4 * np.abs(sound).max() * random.standard_normal(len(sound)) for sound in sounds]
+
+
+@pytest.fixture(scope="module")
+def recorded():
+    return [checked(f"stroke {i}", sound[None], RATE) for i, sound in enumerate(struck([1.0, 2.2, 5.0]))]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for i, sound in enumerate(struck([1.5, 5.0])):
+        soundfile.write(tmp_path / f"stroke-{i}.wav", sound, RATE, subtype="FLOAT")
+    (tmp_path / "drum.toml").write_text(REQUEST)
+    return tmp_path
+
+
+def test_damped_sines_are_found():
+    time = np.arange(RATE) / RATE
+    truth = [(180.0, 6.0, 1.0), (271.0, 9.0, 0.5), (402.0, 12.0, 0.4), (530.0, 20.0, 0.6)]
+    sound = sum(size * np.exp(-decay * time) * np.cos(2 * np.pi * frequency * time) for frequency, decay, size in truth)
+    found = find_partials([checked("sines", sound[None], RATE)])
+    np.testing.assert_allclose(found.frequency, [row[0] for row in truth], rtol=1e-4)
+    np.testing.assert_allclose(found.decay_rate, [row[1] for row in truth], rtol=0.02)
+
+
+def test_noise_has_the_level_that_was_measured():
+    random = np.random.default_rng(1)
+    sound = 1e-3 * random.standard_normal(RATE)
+    sound[0] = 1.0
+    noise = noise_of(sound, RATE)
+    expected = 1e-6 / (RATE / 2)  # white noise: its mean square, over the bandwidth
+    assert abs(10 * np.log10(np.median(noise[8:]) / expected)) < 1
+    made = make_noise(np.full(len(BANDS), expected), RATE, RATE, random)
+    assert np.std(made) == pytest.approx(1e-3, rel=0.03)
+
+
+def test_features_are_levels_of_bands():
+    time = np.arange(RATE) / RATE
+    described = features(np.sin(2 * np.pi * 1000 * time)[None], RATE)
+    early = described[:len(BANDS)]
+    assert len(described) == len(LABELS) and abs(early[BANDS.index(1000.0)]) < 0.1
+    louder = features(10 * np.sin(2 * np.pi * 1000 * time)[None], RATE)
+    np.testing.assert_allclose(described, louder, atol=1e-5)  # gains do not count
+
+
+def test_intervals_of_a_linear_description_hold_the_truth_in_nine_of_ten():
+    random, held, count = np.random.default_rng(2), [], 6
+    low, high = -np.ones(count), np.ones(count)
+    for _ in range(30):
+        slopes = random.normal(size=(40, count)) * [3, 3, 0.5, 0.5, 0.1, 0.0]
+        points, truth = random.uniform(low, high, (60, count)), random.uniform(low, high, count)
+        found = infer(points, points @ slopes.T + random.normal(size=(60, 40)),
+                      slopes @ truth + random.normal(size=40), low, high, random)
+        ends = np.quantile(found.samples, [0.05, 0.95], axis=0)
+        held.append((ends[0] <= truth) & (truth <= ends[1]))
+    assert 0.84 < np.mean(held) < 0.96
+    assert ends[1, 0] - ends[0, 0] < 0.4  # what is described is known
+    assert ends[1, -1] - ends[0, -1] > 1.6  # what is not keeps its limits
+
+
+def test_the_first_stage_finds_the_tension_over_density_of_the_batter_head(recorded):
+    space = space_of(tabor.Definition("tom-10", BASE), {}, {})
+    found = fit_partials(space, find_partials(recorded))
+    values = space.values(found.point)
+    ratio = values["batter.tension"] / values["batter.surface_density"]
+    assert ratio == pytest.approx(TRUTH["batter.tension"] / space.base["batter.surface_density"], rel=0.03)
+
+
+def test_a_fit_finds_the_drum_and_goes_on_where_it_was(folder):
+    request = read_request(folder / "drum.toml")
+    settings = Settings(counts=(30, 30), quality="draft")
+    found = fit(request, str(folder / "whole"), settings)
+    by_key = {one.key: one for one in found.estimates}
+    ratio = by_key["batter.tension/batter.surface_density"]
+    assert ratio.determined
+    assert ratio.value == pytest.approx(TRUTH["batter.tension"] / request.space.base["batter.surface_density"], rel=0.03)
+    assert ratio.low < ratio.value < ratio.high
+    # A journal that was cut off within a line gives the same result.
+    (folder / "cut").mkdir()
+    lines = (folder / "whole/journal.jsonl").read_bytes().splitlines(keepends=True)
+    (folder / "cut/journal.jsonl").write_bytes(b"".join(lines[:50]) + lines[50][:100])
+    assert fit(request, str(folder / "cut"), settings).estimates == found.estimates
+    assert (folder / "cut/journal.jsonl").read_bytes() == (folder / "whole/journal.jsonl").read_bytes()
+
+
+def test_a_journal_of_another_task_is_refused(tmp_path):
+    path = str(tmp_path / "journal.jsonl")
+    Journal(path, "one", 1).close()
+    with pytest.raises(tabor.Error, match="another request"):
+        Journal(path, "other", 1)
+    (tmp_path / "journal.jsonl").write_text("no journal\n")
+    with pytest.raises(tabor.Error, match="no journal"):
+        Journal(path, "one", 1)
+
+
+def music(seconds):
+    random = np.random.default_rng(3)
+    time = np.arange(int(seconds * RATE)) / RATE
+    return sum(np.sin(2 * np.pi * random.uniform(100, 900) * time) * (np.floor(4 * time) % 3 == part) for part in range(3))
+
+
+@pytest.mark.parametrize("sound, complaint", [
+    (np.zeros(2 * RATE), "no sound"),
+    (struck([4.0])[0][:RATE // 1000 + 1000], "it lasts"),
+    (np.clip(20 * struck([4.0])[0] / np.abs(struck([4.0])[0]).max(), -1, 1), "clipped"),
+    (music(3.0), "not one stroke"),
+    (np.concatenate([struck([4.0])[0][:RATE // 4], struck([4.0])[0]]), "not one stroke"),
+])
+def test_what_is_no_stroke_is_refused(sound, complaint):
+    with pytest.raises(tabor.Error, match=complaint) as refused:
+        checked("it.wav", sound[None], RATE)
+    assert str(refused.value).startswith("it.wav: ") and "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("line, complaint", [
+    ("[drums]", "no table [drums]"),
+    ("[drum]\nsize = 3", "[drum] has no size"),
+    ("[drum]\ndiameter = -8", "drum.diameter = -8"),
+    ("[drum]\nsnares = \"on\"", "0 wires"),
+    ("[batter]\nplies = 2", "lacks mil"),
+    ("[known]\n\"batter.mass\" = 3", "batter.mass"),
+    ("[range]\n\"batter.tension\" = [3000, 1000]", "batter.tension: 3000 to 1000"),
+    ("[range]\n\"batter.unevenness\" = [0.1, 9]", "batter.unevenness"),
+    ("[strokes]\nabove = \"a.wav\"", "no such microphone"),
+    ("[strokes]\ntop = \"none-*.wav\"", "no such file"),
+    ("", "names no recordings"),
+    ("[drum", "drum.toml"),
+])
+def test_a_wrong_request_is_refused_in_a_line(tmp_path, capsys, line, complaint):
+    (tmp_path / "drum.toml").write_text(line)
+    assert main([str(tmp_path / "drum.toml"), "-o", str(tmp_path / "out")]) == 1
+    said = capsys.readouterr().err
+    assert complaint in said and said.count("\n") == 1
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_command_writes_a_preset_and_a_table(folder, capsys):
+    assert main([str(folder / "drum.toml"), "-o", str(folder / "out"), "--rounds", "30", "-q"]) == 0
+    preset = tabor.Definition.load(folder / "out/found.ini")
+    assert preset["shell.radius"] == tabor.Definition("tom-10")["shell.radius"]
+    rows = (folder / "out/parameters.csv").read_text().splitlines()
+    assert rows[0].startswith("parameter,value,low,high") and any(row.startswith("batter.tension,") for row in rows)
+    assert "Written:" in capsys.readouterr().out
+    first = json.loads((folder / "out/journal.jsonl").read_text().splitlines()[0])
+    assert list(first) == ["task"]

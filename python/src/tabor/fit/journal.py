@@ -51,7 +51,6 @@ class Journal:
     def __init__(self, path: str, task: str, jobs: int) -> None:
         self._known: Dict[str, List[float]] = {}
         self._jobs = jobs
-        self.made = 0  #: simulations that were not there
         whole = self._read(path, task)
         try:
             self._file = open(path, "r+b" if whole else "wb")
@@ -112,7 +111,6 @@ class Journal:
             for index, vector in zip(missing, pool.map(lambda index: simulate(points[index], first_seed + index), missing)):
                 self._known[names[index]] = [float(value) for value in vector]
                 self._write({"of": names[index], "vector": [None if np.isnan(value) else float(value) for value in vector]})
-                self.made += 1
         return [np.array(self._known[name]) for name in names]
 
     def close(self) -> None:

@@ -19,7 +19,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._library import Error
-from ..definition import Definition
 from ..model import Model
 from .parameters import Space
 from .partials import HIGHEST, Partials

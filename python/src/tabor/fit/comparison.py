@@ -10,15 +10,13 @@ from numpy.typing import NDArray
 
 from .._library import Error
 from ..model import Model
-from ..events import strike
-from ..rendering import render
-from .features import BANDS, WINDOWS, features
+from .features import BANDS, described, features
 from .partials import find_partials
-from .recordings import DURATION, Recording, Stroke, from_stroke
+from .recordings import Stroke
+from .simulation import play, stroke_of
 
 Array = NDArray[np.float64]
 
-_COMPARED = WINDOWS[:2]
 _NEAR = 0.04  # of frequencies of partials that may be the same
 _LEAST_LEVEL = -20.0  # of the recording's partials that are compared, below the strongest [dB]
 _SPEEDS = np.geomspace(0.5, 12.0, 25)  # among which one is looked for [m/s]
@@ -51,27 +49,20 @@ def _normalized(levels: Array) -> Array:
 def difference(recorded: Array, modelled: Array) -> Tuple[float, float]:
     """Root mean square differences of third octaves in the first two windows [dB]."""
     found = []
-    for window in range(len(_COMPARED)):
+    for window in range(2):
         bands = slice(window * len(BANDS), (window + 1) * len(BANDS))
         found.append(float(np.sqrt(np.mean((_normalized(recorded[bands]) - _normalized(modelled[bands])) ** 2))))
     return found[0], found[1]
 
 
-def played(model: Model, mics: Sequence[str], speed: float, duration: float = DURATION) -> Stroke:
-    """The model's stroke of a speed, as a recording."""
-    sound = np.asarray(render(model, [strike(0.0, velocity=speed)], duration, mics=mics), np.float64)
-    rows = [from_stroke(row) for row in sound]
-    return Stroke(tuple(Recording(mic, row, row[None], model.sample_rate) for mic, row in zip(mics, rows)))
-
-
-def _misfit(recorded: Stroke, modelled: Stroke) -> float:
-    return float(sum(np.mean((features(one.channels, one.rate) - features(two.channels, two.rate)) ** 2)
-                     for one, two in zip(recorded.recordings, modelled.recordings)))
+def _played(model: Model, mics: Sequence[str], speed: float) -> Stroke:
+    return stroke_of(play(model, speed, mics), mics, model.sample_rate)
 
 
 def best_speed(model: Model, mics: Sequence[str], recorded: Stroke) -> float:
     """The speed whose stroke is nearest to a recording [m/s]."""
-    costs = [_misfit(recorded, played(model, mics, float(speed))) for speed in _SPEEDS]
+    wanted = described(recorded)
+    costs = [float(np.mean((wanted - described(_played(model, mics, float(speed)))) ** 2)) for speed in _SPEEDS]
     place = int(np.clip(np.argmin(costs), 1, len(_SPEEDS) - 2))
     # The lowest point of a parabola in the logarithm of the speed.
     before, here, after = costs[place - 1:place + 2]
@@ -85,7 +76,7 @@ def stroke_differences(model: Model, mics: Sequence[str], strokes: Sequence[Stro
     """Each stroke at each microphone, beside the model's stroke of a speed."""
     found = []
     for stroke, speed in zip(strokes, speeds):
-        for one, two in zip(stroke.recordings, played(model, mics, speed).recordings):
+        for one, two in zip(stroke.recordings, _played(model, mics, speed).recordings):
             found.append(StrokeDifference(one.name, speed, *difference(features(one.channels, one.rate), features(two.channels, two.rate))))
     return found
 
@@ -95,7 +86,7 @@ def partial_differences(model: Model, mics: Sequence[str], strokes: Sequence[Str
     """The recordings' partials beside the nearest of the model's strokes, at the first microphone."""
     recorded = find_partials([stroke.recordings[0] for stroke in strokes])
     try:
-        modelled = find_partials([played(model, mics[:1], speed).recordings[0] for speed in speeds])
+        modelled = find_partials([_played(model, mics[:1], speed).recordings[0] for speed in speeds])
     except Error:  # it rings too little
         modelled = recorded._replace(frequency=np.full(1, np.inf), decay_rate=np.ones(1), level=np.zeros(1))
     found = []

@@ -14,6 +14,8 @@ from typing import List, NamedTuple, Tuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .recordings import Stroke
+
 Array = NDArray[np.float64]
 
 WINDOWS: Tuple[Tuple[float, float], ...] = ((0.0, 0.05), (0.05, 0.2), (0.2, 0.5))  # [s]
@@ -133,3 +135,8 @@ def _levels(sound: Array, rate: float) -> List[float]:
     for window in WINDOWS:
         levels += _energies(_faded(sound, rate, window), rate, BANDS, 1 / 3)
     return levels + _energies(_faded(sound, rate, CLICK), rate, _CLICK_BANDS, 1.0)
+
+
+def described(stroke: Stroke) -> Array:
+    """The features of all microphones, one after the other."""
+    return np.concatenate([features(one.channels, one.rate) for one in stroke.recordings])

@@ -22,7 +22,7 @@ from .recordings import Stroke
 from .request import Request
 from .rounds import Round, run_rounds
 from .scatter import Scatter, scatter_of
-from .simulation import Plan, describe, simulate
+from .simulation import Plan, describe_partials, simulate
 
 Array = NDArray[np.float64]
 
@@ -129,9 +129,8 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     labels = tuple(label for label in dict.fromkeys(modal.labels) if label is not None)
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
-    observed = describe(plan, [request.strokes[index] for index in chosen], modal.modes)
-    tail = scatter.smooth[chosen].ravel()
-    observed[len(observed) - len(tail):] = tail
+    observed = np.concatenate([describe_partials(plan, [request.strokes[index] for index in chosen], modal.modes),
+                               scatter.smooth[chosen].ravel()])
     os.makedirs(folder, exist_ok=True)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)

@@ -87,8 +87,6 @@ class Posterior(NamedTuple):
 
     samples: Array  #: shape (samples, parameters)
     surprise: float  #: of the observed description: its squared distance per element, 1 if the model can follow it
-    predicted: Array  #: description at the samples' mean
-    scatter: Array  #: standard deviation of each element, what no parameter explains
 
 
 def _hit_and_run(middle: Array, spread: Array, mean: Array, covariance: Array, low: Array, high: Array, freedom: int,
@@ -165,21 +163,13 @@ def infer(points: Array, vectors: Array, observed: Array, low: Array, high: Arra
     shrinkage, estimates = _best_shrinkage(points, seen, precision)
     description = _describe(points, seen, shrinkage)
     estimate = _estimate(description, precision, recorded[None])[0]
-    design = np.column_stack([np.ones(len(points)), points - description.middle])
-    line = _line(design, estimates)
-    rest = estimates - design @ line
-    freedom = max(1, len(points) - design.shape[1])
-    covariance = rest.T @ rest / freedom
-    middle = line[0] - description.middle @ line[1:]
-    scatter = np.sqrt(np.diag(description.covariance))
+    found = _describe(points, estimates, 0.0)  # c, D and U
+    freedom = max(1, len(points) - len(low) - 1)
     nearest = description.offset + description.slopes @ (estimate - description.middle)
-    surprise = float(np.mean(((recorded - nearest) / scatter) ** 2))
-    covariance *= max(1.0, surprise)  # what the model cannot follow makes all less certain
-    samples = _hit_and_run(middle, line[1:].T, estimate, covariance, low, high, freedom, random)
-    predicted = description.offset + description.slopes @ (samples.mean(axis=0) - description.middle)
-    everywhere, spread = np.full(len(observed), np.nan), np.full(len(observed), np.nan)
-    everywhere[used], spread[used] = predicted, scatter
-    return Posterior(samples, surprise, everywhere, spread)
+    surprise = float(np.mean((recorded - nearest) ** 2 / np.diag(description.covariance)))
+    covariance = found.covariance * max(1.0, surprise)  # what the model cannot follow makes all less certain
+    samples = _hit_and_run(found.offset - found.slopes @ found.middle, found.slopes, estimate, covariance, low, high, freedom, random)
+    return Posterior(samples, surprise)
 
 
 def _best_shrinkage(points: Array, vectors: Array, precision: Array) -> Tuple[float, Array]:

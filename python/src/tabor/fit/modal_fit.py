@@ -26,12 +26,12 @@ from .partials import HIGHEST, Partials
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-_SCAN_TOP, _TOP = 450.0, 700.0  # of the modes that are computed on the grid, and later [Hz]
+_SCAN_TOP, TOP = 450.0, 700.0  # of the modes that are computed on the grid, and later [Hz]
 _GRID, _FINE = 7, 49  # tensions of each head that are computed and interpolated
 _STARTS = 3
 _APART = 0.15  # of the starts, in logarithms of tension
 _WIDTHS = (0.04, 0.02, 0.01, 0.006, 0.006)  # of frequencies that may belong together
-_DECAY_WIDTH = 0.7
+DECAY_WIDTH = 0.7
 _FARTHEST = 9.0  # squared distance of a partial that belongs to no mode
 _HEARD = -20.0  # modes that radiate less than this below the loudest are not expected [dB]
 _MISSING = -12.0  # modes that are louder than this should be found [dB]
@@ -106,7 +106,7 @@ class _Search:
     def match(self, modes: Modes, width: float) -> Tuple[Indices, Array]:
         """The mode of each partial, and the squared distance to it."""
         distance = ((self.frequency[:, None] - modes.frequency) / width) ** 2
-        distance += ((self.decay[:, None] - modes.decay) / _DECAY_WIDTH) ** 2
+        distance += ((self.decay[:, None] - modes.decay) / DECAY_WIDTH) ** 2
         distance += np.clip((_HEARD - modes.level) / 10, 0, None) ** 2
         nearest = distance.argmin(axis=1)
         return nearest, distance[np.arange(len(nearest)), nearest]
@@ -118,9 +118,9 @@ class _Search:
         missing = np.setdiff1d(loud, nearest[inside])
         return float(np.sum((self.weight * np.minimum(distance, _FARTHEST))[inside]) + 2 * len(missing))
 
-    def step(self, point: Array, free: Sequence[int], width: float) -> Tuple[Array, Array, float]:
-        """One step of Gauss and Newton's method; the curvature and the cost before it."""
-        modes = self.modes(point, _TOP)
+    def step(self, point: Array, free: Sequence[int], width: float) -> Tuple[Array, Array]:
+        """One step of Gauss and Newton's method, and the covariance there."""
+        modes = self.modes(point, TOP)
         nearest, distance = self.match(modes, width)
         used = distance < _FARTHEST
         labels = [modes.labels[mode] for mode in nearest[used]]
@@ -131,7 +131,7 @@ class _Search:
         for column, index in enumerate(free):
             moved = point.copy()
             moved[index] += _STEP
-            slopes[:, column] = self._slope(modes, self.modes(moved, _TOP), labels) / scale
+            slopes[:, column] = self._slope(modes, self.modes(moved, TOP), labels) / scale
         low, high = self.space.low[free], self.space.high[free]
         robust = 1 / (1 + (here / 3) ** 2)
         precision = np.diag(12 / (high - low) ** 2)
@@ -140,7 +140,7 @@ class _Search:
         spread = max(1.0, float(np.sum(robust * here**2) / max(1.0, np.sum(robust) - 0.5 * len(free))))
         after = point.copy()
         after[free] = np.clip(point[free] + np.linalg.solve(curvature, pull), low, high)
-        return after, spread * np.linalg.inv(curvature), self.cost(modes, width, _TOP)
+        return after, spread * np.linalg.inv(curvature)
 
     @staticmethod
     def _slope(here: Modes, there: Modes, labels: Sequence[Tuple[int, int]]) -> Array:
@@ -159,7 +159,7 @@ class _Search:
         scan = _Scan(self, middle, lines)
         fine = [np.linspace(line[0], line[-1], _FINE) for line in lines]
         points = np.stack(np.meshgrid(*fine, indexing="ij"), axis=-1).reshape(-1, len(fine))
-        costs = np.array([self.cost(scan.modes(place), 2 * _WIDTHS[1], _SCAN_TOP) for place in points])
+        costs = np.array([self.cost(scan.modes(place), _WIDTHS[0], _SCAN_TOP) for place in points])
         chosen: List[Array] = []
         for place in points[np.argsort(costs, kind="stable")]:
             if all(np.abs(place - other).max() > _APART for other in chosen):
@@ -179,13 +179,13 @@ class _Search:
         for point in self.starts(middle):
             for width in _WIDTHS[1:3]:
                 point = self.step(point, self.heads, width)[0]
-            ends.append((self.cost(self.modes(point, _TOP), _WIDTHS[2], _TOP), point))
+            ends.append((self.cost(self.modes(point, TOP), _WIDTHS[2], TOP), point))
         point = min(ends, key=lambda end: end[0])[1]
         for width in _WIDTHS[2:]:
-            point, part, _ = self.step(point, self.fitted, width)
+            point, part = self.step(point, self.fitted, width)
         covariance = np.diag((self.space.high - self.space.low) ** 2 / 12)
         covariance[np.ix_(self.fitted, self.fitted)] = part
-        modes = self.modes(point, _TOP)
+        modes = self.modes(point, TOP)
         nearest, distance = self.match(modes, _WIDTHS[2])
         return ModalFit(point, covariance, tuple(modes.labels[mode] if far < _FARTHEST else None
                                                  for mode, far in zip(nearest, distance)), modes)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What is looked for, and between which values.
 
-A parameter is looked for as its logarithm, equally likely everywhere between its limits. Nuisance parameters belong to
-the recording, not to the drum: microphones, room, speeds of strokes.
+A parameter is looked for as its logarithm, equally likely everywhere between its limits. Some belong to the recording, not
+to the drum: microphones, room, speeds of strokes.
 """
 
 from __future__ import annotations
 
-from typing import Dict, List, Mapping, NamedTuple, Tuple
+from typing import Dict, Mapping, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,30 +34,16 @@ _WIRES: Dict[str, Tuple[float, float]] = {
 }
 _ROOM: Dict[str, Tuple[float, float]] = {"room.level": (0.2, 2.0)}
 _SPEEDS: Dict[str, Tuple[float, float]] = {SPEED: (3.0, 8.0)}
-_ALL_SPEEDS: Dict[str, Tuple[float, float]] = {SPEED: (3.0, 8.0), SPEED_RANGE: (2.0, 10.0)}
-_NUISANCES = ("room.", "mic.", SPEED)
-
-
-class Parameter(NamedTuple):
-    """One that is looked for."""
-
-    key: str  #: of a definition, or SPEED, or SPEED_RANGE
-    low: float  #: in the key's unit
-    high: float  #: in the key's unit
-
-    @property
-    def is_nuisance(self) -> bool:
-        """Whether it belongs to the recording."""
-        return self.key.startswith(_NUISANCES)
+_ALL_SPEEDS: Dict[str, Tuple[float, float]] = {**_SPEEDS, SPEED_RANGE: (2.0, 10.0)}
 
 
 class Space:
     """Parameters together: vectors of their logarithms stand for drums."""
 
-    def __init__(self, base: Definition, parameters: List[Parameter]) -> None:
-        self.base, self.parameters = base, tuple(parameters)
-        self.keys = tuple(one.key for one in parameters)
-        self.low, self.high = np.log([[one.low, one.high] for one in parameters]).T
+    def __init__(self, base: Definition, limits: Mapping[str, Tuple[float, float]]) -> None:
+        self.base = base
+        self.keys = tuple(limits)  #: of a definition, or SPEED, or SPEED_RANGE
+        self.low, self.high = np.log(list(limits.values())).T
 
     def values(self, point: Array) -> Dict[str, float]:
         """What the vector stands for, by key."""
@@ -119,4 +105,4 @@ def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str,
             raise Error(f"range of {key}: {low:g} to {high:g}; allowed: two positive numbers, the smaller first")
         if not key.startswith(SPEED):
             base.copy({key: low}).copy({key: high}).validate()  # says what is not allowed
-    return Space(base, [Parameter(key, *limit) for key, limit in limits.items()])
+    return Space(base, limits)

@@ -8,7 +8,7 @@ from typing import NamedTuple, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from .features import features
+from .features import described, features
 from .recordings import Stroke
 
 Array = NDArray[np.float64]
@@ -23,11 +23,6 @@ class Scatter(NamedTuple):
 
     smooth: Array  #: what features are along the dynamics, shape (strokes, features) [dB]
     floor: Array  #: how far a stroke, or the other channel of a microphone, differs from it, root mean square [dB]
-
-
-def described(stroke: Stroke) -> Array:
-    """The features of all microphones."""
-    return np.concatenate([features(one.channels, one.rate) for one in stroke.recordings])
 
 
 def _between_channels(strokes: Sequence[Stroke]) -> Array:

@@ -13,21 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._library import Error
-from ..definition import Definition
 from ..events import strike
 from ..model import Model
 from ..rendering import render
-from .features import features, make_noise
-from .modal_fit import Modes, modes_of
+from .features import described, make_noise
+from .modal_fit import DECAY_WIDTH, TOP, Modes, modes_of
 from .parameters import SPEED, SPEED_RANGE, Space
 from .partials import Partials, find_partials
 from .recordings import DURATION, Recording, Stroke, from_stroke
 
 Array = NDArray[np.float64]
 
-_TOP = 700.0  # of the modes that partials may belong to [Hz]
 _WIDTH = 0.02  # of frequencies that may belong together
-_DECAY_WIDTH = 0.7
 _FARTHEST = 4.0  # squared distance of a partial from its mode
 
 
@@ -51,52 +48,48 @@ class Plan(NamedTuple):
         return [values[SPEED] * values[SPEED_RANGE] ** (place - 1) for place in self.loudness]
 
 
-def play(drum: Definition, speeds: Sequence[float], mics: Sequence[str], rate: float, quality: str,
-         duration: float = DURATION) -> Tuple[Model, List[Array]]:
-    """Strokes on a fresh drum each.
+def play(model: Model, speed: float, mics: Sequence[str]) -> Array:
+    """A stroke on a fresh drum, in its room.
 
     Parameters
     ----------
-    drum : Definition
-        The drum, and its room.
-    speeds : sequence of float
+    model : Model
+        The drum.
+    speed : float
         Of the usual stroke [m/s].
     mics : sequence of str
         Names of the microphones.
-    rate : float
-        [Hz].
-    quality : str
-        As of `Model`.
-    duration : float
-        [s].
 
     Returns
     -------
-    model : Model
-        Of the drum.
-    sounds : list of ndarray of float64, shape (microphones, frames)
-        One for each speed.
+    ndarray of float64, shape (microphones, frames)
+        DURATION seconds.
     """
-    model = Model(drum, rate, quality)
-    return model, [np.asarray(render(model, [strike(0.0, velocity=speed)], duration, mics=mics), np.float64) for speed in speeds]
+    return np.asarray(render(model, [strike(0.0, velocity=speed)], DURATION, mics=mics), np.float64)
 
 
-def _described(partials: Optional[Partials], modes: Modes, labels: Sequence[Tuple[int, int]]) -> List[float]:
+def stroke_of(sound: Array, mics: Sequence[str], rate: float) -> Stroke:
+    """A simulated sound of shape (microphones, frames), as if it were recorded."""
+    rows = [from_stroke(row) for row in sound]
+    return Stroke(tuple(Recording(mic, row, row[None], rate) for mic, row in zip(mics, rows)))
+
+
+def _belonging(partials: Optional[Partials], modes: Modes, labels: Sequence[Tuple[int, int]]) -> Array:
     """Frequencies, then decays, of the partials that are nearest to the labelled modes."""
     frequency, decay = np.full(len(labels), np.nan), np.full(len(labels), np.nan)
     if partials is None:
-        return [*frequency, *decay]
+        return np.concatenate([frequency, decay])
     rows = {label: row for row, label in enumerate(modes.labels)}
     found_frequency, found_decay = np.log(partials.frequency), np.log(partials.decay_rate)
     for place, label in enumerate(labels):
         if label not in rows:
             continue
         row = rows[label]
-        distance = ((found_frequency - modes.frequency[row]) / _WIDTH) ** 2 + ((found_decay - modes.decay[row]) / _DECAY_WIDTH) ** 2
+        distance = ((found_frequency - modes.frequency[row]) / _WIDTH) ** 2 + ((found_decay - modes.decay[row]) / DECAY_WIDTH) ** 2
         nearest = int(distance.argmin())
         if distance[nearest] < _FARTHEST:
             frequency[place], decay[place] = found_frequency[nearest], found_decay[nearest]
-    return [*frequency, *decay]
+    return np.concatenate([frequency, decay])
 
 
 def _partials(recordings: Sequence[Recording]) -> Optional[Partials]:
@@ -106,28 +99,25 @@ def _partials(recordings: Sequence[Recording]) -> Optional[Partials]:
         return None
 
 
-def describe(plan: Plan, strokes: Sequence[Stroke], modes: Modes) -> Array:
-    """Describes strokes.
+def describe_partials(plan: Plan, strokes: Sequence[Stroke], modes: Modes) -> Array:
+    """Describes the partials of strokes, with which a description begins.
 
     Parameters
     ----------
     plan : Plan
-        Whose microphones, in this order, each stroke has.
+        What modes' partials are described.
     strokes : sequence of Stroke
-        From the softest to the hardest.
+        Of one drum.
     modes : Modes
         Of the drum that is thought to sound.
 
     Returns
     -------
-    ndarray of float64, shape (elements,)
-        The same elements for each set of as many strokes.
+    ndarray of float64, shape (2 * len(plan.labels),)
+        Logarithms of frequencies, then of decay rates.
     """
     partials = _partials([stroke.recordings[0] for stroke in strokes]) if plan.labels else None
-    parts = [np.array(_described(partials, modes, plan.labels))]
-    for stroke in strokes:
-        parts += [features(one.channels, one.rate) for one in stroke.recordings]
-    return np.concatenate(parts)
+    return _belonging(partials, modes, plan.labels)
 
 
 def simulate(plan: Plan, point: Array, seed: int) -> Array:
@@ -145,17 +135,16 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
     Returns
     -------
     ndarray of float64, shape (elements,)
-        As by `describe`.
+        Of partials, as by `describe_partials`, then of each stroke, as by `described`.
     """
     random = np.random.default_rng(seed)
     drum = plan.space.definition(point)
-    model, sounds = play(drum, plan.speeds(point), plan.mics, plan.rate, plan.quality)
+    model = Model(drum, plan.rate, plan.quality)
     strokes = []
-    for sound in sounds:
-        heard = []
-        for mic, noise, row in zip(plan.mics, plan.noise, sound):
-            noisy = row / np.abs(row).max() + make_noise(noise, len(row), plan.rate, random)
-            struck = from_stroke(noisy)
-            heard.append(Recording(mic, struck, struck[None], plan.rate))
-        strokes.append(Stroke(tuple(heard)))
-    return describe(plan, strokes, modes_of(model, float(drum["strike.radius"]), _TOP))
+    for speed in plan.speeds(point):
+        sound = play(model, speed, plan.mics)
+        noisy = np.array([row / np.abs(row).max() + make_noise(noise, len(row), plan.rate, random)
+                          for row, noise in zip(sound, plan.noise)])
+        strokes.append(stroke_of(noisy, plan.mics, plan.rate))
+    modes = modes_of(model, float(drum["strike.radius"]), TOP)
+    return np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])

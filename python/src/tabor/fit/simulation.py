@@ -25,6 +25,7 @@ from .recordings import DURATION, Recording, Stroke, from_stroke
 Array = NDArray[np.float64]
 
 _WIDTH = 0.02  # of frequencies that may belong together
+_DIGITS = 6  # of a description: the last bits of linear algebra differ from run to run, and would draw other points
 _FARTHEST = 4.0  # squared distance of a partial from its mode
 
 
@@ -147,4 +148,5 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
                           for row, noise in zip(sound, plan.noise)])
         strokes.append(stroke_of(noisy, plan.mics, plan.rate))
     modes = modes_of(model, float(drum["strike.radius"]), TOP)
-    return np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])
+    description = np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])
+    return np.round(description, _DIGITS)

@@ -22,7 +22,7 @@ from .recordings import Stroke
 from .request import Request
 from .rounds import Round, run_rounds
 from .scatter import Scatter, scatter_of
-from .simulation import Plan, describe_partials, simulate
+from .simulation import DIGITS, Plan, describe_partials, simulate
 
 Array = NDArray[np.float64]
 
@@ -120,6 +120,8 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     if min(settings.counts) < least:
         raise Error(f"a round of {min(settings.counts)} simulations: {len(request.space.keys)} parameters take {least} or more")
     partials, modal = first_stage(request)
+    # Last bits of linear algebra differ from run to run, and would draw other points.
+    modal = modal._replace(point=modal.point.round(7), covariance=modal.covariance.round(9))
     say(f"{len(partials.frequency)} partials, {sum(label is not None for label in modal.labels)} of them modes")
     loudness = loudness_of(request.strokes, request.are_levels_known)
     scatter = scatter_of(request.strokes, loudness)
@@ -130,7 +132,7 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
     observed = np.concatenate([describe_partials(plan, [request.strokes[index] for index in chosen], modal.modes),
-                               scatter.smooth[chosen].ravel()])
+                               scatter.smooth[chosen].ravel()]).round(DIGITS)
     os.makedirs(folder, exist_ok=True)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)

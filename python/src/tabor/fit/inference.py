@@ -120,7 +120,7 @@ def _hit_and_run(middle: Array, spread: Array, mean: Array, covariance: Array, l
             points = np.clip(points, low, high)
         if sweep >= _SWEEPS // 2 and sweep % 3 == 0:
             kept.append(points)
-    return np.concatenate(kept)
+    return np.concatenate(kept).round(7)
 
 
 def _truncated(mean: Array, deviation: Array, first: Array, last: Array, random: np.random.Generator) -> Array:

@@ -77,6 +77,7 @@ def run_rounds(space: Space, fit: ModalFit, observed: Array, describe: Describe,
             points = _reflected(samples.mean(axis=0) + _WIDER * (drawn - samples.mean(axis=0)), space.low, space.high)
         else:
             points = _first_points(space, fit, count, random)
+        points = points.round(7)  # as descriptions are: see simulation.DIGITS
         vectors = np.array(describe(list(points), done))
         done += count
         before = rounds[-1:]

@@ -25,7 +25,7 @@ from .recordings import DURATION, Recording, Stroke, from_stroke
 Array = NDArray[np.float64]
 
 _WIDTH = 0.02  # of frequencies that may belong together
-_DIGITS = 6  # of a description: the last bits of linear algebra differ from run to run, and would draw other points
+DIGITS = 6  # of a description: the last bits of linear algebra differ from run to run, and would draw other points
 _FARTHEST = 4.0  # squared distance of a partial from its mode
 
 
@@ -149,4 +149,4 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
         strokes.append(stroke_of(noisy, plan.mics, plan.rate))
     modes = modes_of(model, float(drum["strike.radius"]), TOP)
     description = np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])
-    return np.round(description, _DIGITS)
+    return np.round(description, DIGITS)

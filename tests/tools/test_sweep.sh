@@ -27,8 +27,19 @@ mkdir unlucky # luck, for now
 
 study=(tabor --vary batter.tension=2000:4000:3 --vary "velocity=1,4" --takes 2 --quality draft --duration 0.3
   --program ./program)
-sweep() { timeout 120 "$python" "$source/examples/python/sweep.py" "$@" >"$out" 2>"$err"; }
+sweep() { timeout --kill-after=10 120 "$python" "$source/examples/python/sweep.py" "$@" >"$out" 2>"$err"; }
 calls() { wc -l <calls; }
+
+# ends WHAT PROCESS: waits for a process of this script; its status. One that does not end says where it was, and fails.
+ends() {
+  if ! wait_for eval "! kill -0 $2 2>/dev/null"; then
+    complain "$1 does not end"
+    kill -ABRT "$2" # Python prints where its threads are
+    cat "$err" log 2>/dev/null
+  fi
+  wait "$2"
+}
+export PYTHONFAULTHANDLER=1
 
 # ---- one worker, and two: their times, for information ----
 
@@ -81,12 +92,14 @@ wait $victim
 rm hold
 worker &
 survivor=$!
-wait $child
+ends "a sweep that lost a worker" $child
 same "status of the sweep" 0 $?
 same "the sounds have the same bytes, and none is missing" "" "$(diff -r with-1 killed)"
 holds "the jobs of the killed worker are done again" "$(calls) > 12"
-kill $survivor $scheduler
-wait $survivor $scheduler
+kill $survivor # first: a worker whose scheduler ends while it does sometimes never ends
+ends "the worker" $survivor
+kill $scheduler
+ends "the scheduler" $scheduler
 
 # ---- a sweep that is terminated, with its workers at work ----
 
@@ -98,7 +111,7 @@ env -u DASK_TEMPORARY_DIRECTORY TMPDIR="$work/temporary" \
 child=$!
 check "it is at its fourth job" wait_for test -e held
 kill -TERM $child
-wait $child
+ends "a terminated sweep" $child
 same "status of a terminated sweep" 143 $?
 rm hold
 same "its workers leave nothing behind" "" "$(ls temporary)"

@@ -5,7 +5,7 @@ import importlib.util
 import sys
 
 DEBIAN = {"numpy": "python3-numpy", "scipy": "python3-scipy", "matplotlib": "python3-matplotlib",
-          "soundfile": "python3-soundfile"}
+          "soundfile": "python3-soundfile", "cmaes": "python3-cmaes", "threadpoolctl": "python3-threadpoolctl"}
 
 
 class Module:

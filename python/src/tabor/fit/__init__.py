@@ -7,7 +7,7 @@ simulate recordings, with strikers, microphones, rooms and noise, and learn from
 packages of ``pip install tabor[fit]``. docs/fit.md in the source tree is the guide.
 """
 
-from .fitting import Estimate, Fit, Settings, fit
+from .fitting import Estimate, Fit, Settings, first_stage, fit
 from .request import Request, read_request
 
-__all__ = ["Estimate", "Fit", "Request", "Settings", "fit", "read_request"]
+__all__ = ["Estimate", "Fit", "Request", "Settings", "first_stage", "fit", "read_request"]

@@ -14,6 +14,7 @@ from ..model import Model
 from ..takes import _processors
 from .comparison import best_speed, partial_differences, stroke_differences
 from .fitting import Fit, Settings, fit
+from .report import make_report
 from .request import Request, read_request
 
 
@@ -25,6 +26,8 @@ def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("-o", "--output", metavar="FOLDER", default="fit", help="where all is written (default: fit)")
     parser.add_argument("-j", "--jobs", type=int, default=_processors(), help="threads (default: one for each processor)")
     parser.add_argument("--rounds", default="45,40,40", help="simulations of each round (default: 45,40,40)")
+    parser.add_argument("--generations", type=int, default=150,
+                        help="of the search where rounds do not follow the recording (default: 150; 0: no search)")
     parser.add_argument("--seed", type=int, default=1, help="of all that is drawn (default: 1)")
     parser.add_argument("-q", "--quiet", action="store_true", help="say nothing about the stages")
     return parser.parse_args(given)
@@ -46,25 +49,31 @@ def _write_table(path: str, found: Fit) -> None:
             table.writerow([one.key, *numbers, "yes" if one.determined else "no"])
 
 
-def _print_differences(request: Request, found: Fit) -> None:
+def _compare(request: Request, found: Fit) -> str:
+    """Prints differences from the recording; the report."""
     model = Model(found.definition, request.rate, "live")
-    speeds = found.speeds
-    print("Third octaves beside the recording, root mean square [dB]: 0-50 ms, 50-200 ms")
     kept = [best_speed(model, request.mics, stroke) for stroke in request.kept]
-    for strokes, fast, kind in ((request.strokes, speeds, "fitted"), (request.kept, kept, "predicted")):
-        for one in stroke_differences(model, request.mics, strokes, fast):
+    fitted = stroke_differences(model, request.mics, request.strokes, found.speeds)
+    predicted = stroke_differences(model, request.mics, request.kept, kept)
+    partials = partial_differences(model, request.mics, request.strokes, found.speeds)
+    print("Third octaves beside the recording, root mean square [dB]: 0-50 ms, 50-200 ms")
+    for differences, kind in ((fitted, "fitted"), (predicted, "predicted")):
+        for one in differences:
             print(f"  {one.early:5.1f} {one.late:5.1f}  {kind} at {one.speed:.2f} m/s: {one.name}")
     print("Partials of the recording [Hz], the model's beside them [cents], ratio of decay rates")
-    for partial in partial_differences(model, request.mics, request.strokes, speeds):
+    for partial in partials:
         print(f"  {partial.frequency:7.1f} {partial.cents:+6.0f} {partial.decay_ratio:6.2f}")
+    return make_report(found, model, fitted, predicted, partials)
 
 
 def _run(arguments: argparse.Namespace) -> None:
     counts = _counts(arguments.rounds)
     if arguments.jobs < 1:
         raise Error(f"--jobs {arguments.jobs}: allowed: 1 or more")
+    if arguments.generations < 0:
+        raise Error(f"--generations {arguments.generations}: allowed: 0 or more")
     request = read_request(arguments.request)
-    settings = Settings(tuple(counts), arguments.jobs, arguments.seed)
+    settings = Settings(tuple(counts), arguments.generations, arguments.jobs, arguments.seed)
     say = (lambda text: None) if arguments.quiet else (lambda text: print(text, file=sys.stderr, flush=True))
     found = fit(request, arguments.output, settings, say)
     preset = os.path.join(arguments.output, f"{request.name}.ini")
@@ -72,10 +81,11 @@ def _run(arguments: argparse.Namespace) -> None:
     _write_table(os.path.join(arguments.output, "parameters.csv"), found)
     for one in found.estimates:
         print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g}{'' if one.determined else '   not determined'}")
-    if found.surprise > 2:
-        print(f"The model does not follow the recording: {found.surprise:.1f} times the expected difference, by which intervals are wider.")
-    _print_differences(request, found)
-    print(f"Written: {preset}")
+    report = os.path.join(arguments.output, "report.html")
+    with open(report, "w", encoding="utf-8") as file:
+        file.write(_compare(request, found))
+    print(f"Objective: {found.objective:.2f} (1: as far from the recordings as strokes of the same dynamics are from each other)")
+    print(f"Written: {preset}, {report}")
 
 
 def main(given: Optional[List[str]] = None) -> int:

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from .._library import Error
 from ..model import Model
-from .features import BANDS, described, features
+from .features import BANDS, described, features, noises_of
 from .partials import find_partials
 from .recordings import Stroke
-from .simulation import play, stroke_of
+from .simulation import play, stroke_of, with_noise
 
 Array = NDArray[np.float64]
 
@@ -55,14 +55,21 @@ def difference(recorded: Array, modelled: Array) -> Tuple[float, float]:
     return found[0], found[1]
 
 
-def _played(model: Model, mics: Sequence[str], speed: float) -> Stroke:
+def played(model: Model, mics: Sequence[str], speed: float) -> Stroke:
+    """A stroke of the model as a recording."""
     return stroke_of(play(model, speed, mics), mics, model.sample_rate)
+
+
+def played_beside(model: Model, mics: Sequence[str], speed: float, recorded: Stroke) -> Stroke:
+    """A stroke of the model with the noise of a recording, which is what is left of its treble in the end."""
+    sound = with_noise(play(model, speed, mics), noises_of(recorded), model.sample_rate, np.random.default_rng(1))
+    return stroke_of(sound, mics, model.sample_rate)
 
 
 def best_speed(model: Model, mics: Sequence[str], recorded: Stroke) -> float:
     """The speed whose stroke is nearest to a recording [m/s]."""
     wanted = described(recorded)
-    costs = [float(np.mean((wanted - described(_played(model, mics, float(speed)))) ** 2)) for speed in _SPEEDS]
+    costs = [float(np.mean((wanted - described(played_beside(model, mics, float(speed), recorded))) ** 2)) for speed in _SPEEDS]
     place = int(np.clip(np.argmin(costs), 1, len(_SPEEDS) - 2))
     # The lowest point of a parabola in the logarithm of the speed.
     before, here, after = costs[place - 1:place + 2]
@@ -76,7 +83,7 @@ def stroke_differences(model: Model, mics: Sequence[str], strokes: Sequence[Stro
     """Each stroke at each microphone, beside the model's stroke of a speed."""
     found = []
     for stroke, speed in zip(strokes, speeds):
-        for one, two in zip(stroke.recordings, _played(model, mics, speed).recordings):
+        for one, two in zip(stroke.recordings, played_beside(model, mics, speed, stroke).recordings):
             found.append(StrokeDifference(one.name, speed, *difference(features(one.channels, one.rate), features(two.channels, two.rate))))
     return found
 
@@ -86,7 +93,7 @@ def partial_differences(model: Model, mics: Sequence[str], strokes: Sequence[Str
     """The recordings' partials beside the nearest of the model's strokes, at the first microphone."""
     recorded = find_partials([stroke.recordings[0] for stroke in strokes])
     try:
-        modelled = find_partials([_played(model, mics[:1], speed).recordings[0] for speed in speeds])
+        modelled = find_partials([played(model, mics[:1], speed).recordings[0] for speed in speeds])
     except Error:  # it rings too little
         modelled = recorded._replace(frequency=np.full(1, np.inf), decay_rate=np.ones(1), level=np.zeros(1))
     found = []

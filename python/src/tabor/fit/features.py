@@ -84,6 +84,11 @@ def noise_of(sound: Array, rate: float) -> Array:
     return np.asarray(power / (np.array(BANDS) * (2 ** (1 / 6) - 2 ** (-1 / 6))))
 
 
+def noises_of(stroke: Stroke) -> Tuple[Array, ...]:
+    """The noise of each microphone."""
+    return tuple(noise_of(one.sound, one.rate) for one in stroke.recordings)
+
+
 def make_noise(noise: Array, frames: int, rate: float, random: np.random.Generator) -> Array:
     """Noise such as `noise_of` measured, for a sound whose peak is 1.
 

@@ -13,26 +13,31 @@ from threadpoolctl import threadpool_limits  # type: ignore[import-untyped,impor
 
 from .._library import Error, version
 from ..definition import Definition
-from .features import noise_of
+from .features import noises_of
 from .journal import Journal, digest
 from .modal_fit import ModalFit, fit_partials
 from .partials import Partials, find_partials
-from .parameters import Space
+from .parameters import Space, derived
 from .recordings import Stroke
 from .request import Request
-from .rounds import Round, run_rounds
+from .inference import Posterior, infer
+from .rounds import run_rounds
 from .scatter import Scatter, scatter_of
+from .search import Describe, Objective, objective_of, search
 from .simulation import DIGITS, Plan, describe_partials, simulate
 
 Array = NDArray[np.float64]
 
 _SIMULATED = 3  # strokes of a simulated recording, at most
+_FOLLOWED = 1.5  # objective from which on rounds have not found the drum, and a search goes on
+_NEAR = 12  # simulations for each parameter at the end of a search: the posterior is learnt from them
 
 
 class Settings(NamedTuple):
     """How much is computed."""
 
     counts: Tuple[int, ...] = (45, 40, 40)  #: simulations of each round
+    generations: int = 150  #: of a search where rounds do not follow the recording; 0: none
     jobs: int = 1  #: threads
     seed: int = 1  #: of all that is drawn
     quality: str = "live"  #: of the simulations
@@ -42,7 +47,7 @@ class Estimate(NamedTuple):
     """One parameter, or what follows from several."""
 
     key: str  #: of a definition; or a ratio of two keys, with a slash; or a head's loss
-    value: float  #: the middle of what is likely, in the unit of the key
+    value: float  #: the preset's, in the unit of the key
     low: float  #: its 90 % interval begins here
     high: float  #: and ends here
     least: float  #: it was looked for from here
@@ -57,16 +62,11 @@ class Fit(NamedTuple):
     partials: Partials
     modal: ModalFit
     scatter: Scatter
-    rounds: Tuple[Round, ...]
+    surprise: float  #: squared distance of the recording from what the last simulations can follow, 1 if they can
+    objective: float  #: of the drum (see the module search): 1 if it is as far from the strokes as they are from each other
     definition: Definition
     estimates: Tuple[Estimate, ...]
     speeds: Tuple[float, ...]  #: of the request's strokes [m/s]
-
-    @property
-    def surprise(self) -> float:
-        """Squared distance of the recording from what the model can follow, 1 if it can."""
-        return self.rounds[-1].posterior.surprise
-
 
 def loudness_of(strokes: Sequence[Stroke], are_levels_known: bool) -> List[float]:
     """Parts of the hardest stroke's speed, as the peaks have it; or places among the strokes, 0 to 1."""
@@ -126,8 +126,7 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     loudness = loudness_of(request.strokes, request.are_levels_known)
     scatter = scatter_of(request.strokes, loudness)
     chosen = _chosen(len(request.strokes))
-    noise = tuple(np.mean([noise_of(stroke.recordings[mic].sound, stroke.recordings[mic].rate) for stroke in request.strokes], axis=0)
-                  for mic in range(len(request.mics)))
+    noise = tuple(noises_of(request.strokes[index]) for index in chosen)
     labels = tuple(label for label in dict.fromkeys(modal.labels) if label is not None)
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
@@ -138,36 +137,57 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     total = sum(settings.counts)
 
     def describe_points(points: Sequence[Array], done: int) -> List[Array]:
-        say(f"simulations {done + 1} to {done + len(points)} of {total}")
+        if done < total:
+            say(f"simulations {done + 1} to {done + len(points)} of {total}")
         return journal.describe("round", lambda point, seed: simulate(plan, point, seed), points, done)
 
     try:
-        rounds = run_rounds(request.space, modal, observed, describe_points, settings.counts, settings.seed)
+        posterior = run_rounds(request.space, modal, observed, describe_points, settings.counts, settings.seed)
+        point = posterior.samples.mean(axis=0)
+        objective = objective_of(observed, len(labels), scatter.floor)
+        apart = objective.of(describe_points([point.round(7)], total)[0])
+        say(f"objective {apart:.2f}")
+        if apart > _FOLLOWED and settings.generations:
+            point, apart, posterior = _searched(request.space, objective, posterior, describe_points, settings, say)
     finally:
         journal.close()
-    point = rounds[-1].posterior.samples.mean(axis=0)
     every = plan._replace(loudness=tuple(loudness))
-    return Fit(request, partials, modal, scatter, rounds, request.space.definition(point),
-               _estimates(request.space, rounds[-1].posterior.samples), tuple(every.speeds(point)))
+    return Fit(request, partials, modal, scatter, posterior.surprise, apart, request.space.definition(point),
+               _estimates(request.space, posterior.samples, point), tuple(every.speeds(point)))
 
 
-def _estimate(key: str, samples: Array, least: float, most: float) -> Estimate:
+def _searched(space: Space, objective: Objective, posterior: Posterior, describe_points: Describe, settings: Settings,
+              say: Callable[[str], object]) -> Tuple[Array, float, Posterior]:
+    """The drum that a search finds, its objective, and what the simulations around it say of the recording."""
+    found = search(objective, posterior.samples.mean(axis=0), posterior.samples.std(axis=0), space.low, space.high,
+                   describe_points, settings.generations, sum(settings.counts) + 1, settings.seed, say)
+    enough = _NEAR * len(space.keys)
+    if len(found.points) >= enough:
+        posterior = infer(found.points[-enough:], found.vectors[-enough:], objective.observed, space.low, space.high,
+                          np.random.default_rng(settings.seed))
+    return found.point, found.objective, posterior
+
+
+def _estimate(key: str, samples: Array, value: float, least: float, most: float) -> Estimate:
     """Of the logarithms of one quantity and of its limits."""
-    low, middle, high = (float(one) for one in np.quantile(samples, [0.05, 0.5, 0.95]))
-    return Estimate(key, math.exp(middle), math.exp(low), math.exp(high), math.exp(least), math.exp(most),
+    low, high = (float(one) for one in np.quantile(samples, [0.05, 0.95]))
+    low, high = min(low, value), max(high, value)
+    return Estimate(key, math.exp(value), math.exp(low), math.exp(high), math.exp(least), math.exp(most),
                     high - low <= 0.5 * (most - least))
 
 
-def _estimates(space: Space, samples: Array) -> Tuple[Estimate, ...]:
-    """Of all parameters, then of tension over density of both heads."""
-    found = [_estimate(key, samples[:, index], float(space.low[index]), float(space.high[index]))
+def _estimates(space: Space, samples: Array, point: Array) -> Tuple[Estimate, ...]:
+    """Of all parameters, then of what follows from them."""
+    found = [_estimate(key, samples[:, index], float(point[index]), float(space.low[index]), float(space.high[index]))
              for index, key in enumerate(space.keys)]
-    for head in ("batter", "resonant"):
-        names = (f"{head}.tension", f"{head}.surface_density")
-        if all(name in space.keys for name in names):
-            over, under = (space.keys.index(name) for name in names)
-            found.append(_estimate("/".join(names), samples[:, over] - samples[:, under],
-                                   float(space.low[over] - space.high[under]), float(space.high[over] - space.low[under])))
+    rows = np.vstack([point, samples])
+    others = {key: np.log(values) for key, values in derived(space.base, dict(zip(space.keys, np.exp(rows.T)))).items()}
+    # A density divides: its limits are the other way round.
+    ends = [np.where([key.endswith("density") for key in space.keys], *both) for both in
+            ((space.high, space.low), (space.low, space.high))]
+    least, most = (derived(space.base, space.values(end)) for end in ends)
+    found += [_estimate(key, values[1:], float(values[0]), float(np.log(least[key])), float(np.log(most[key])))
+              for key, values in others.items()]
     return tuple(found)
 
 

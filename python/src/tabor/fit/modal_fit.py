@@ -30,13 +30,15 @@ _SCAN_TOP, TOP = 450.0, 700.0  # of the modes that are computed on the grid, and
 _GRID, _FINE = 7, 49  # tensions of each head that are computed and interpolated
 _STARTS = 3
 _APART = 0.15  # of the starts, in logarithms of tension
-_WIDTHS = (0.04, 0.02, 0.01, 0.006, 0.006)  # of frequencies that may belong together
+# Of frequencies that may belong together: as steps come closer.
+_FAR, _NEAR = (0.04, 0.03, 0.02, 0.01), (0.01, 0.006, 0.006)
 DECAY_WIDTH = 0.7
 _FARTHEST = 9.0  # squared distance of a partial that belongs to no mode
 _HEARD = -20.0  # modes that radiate less than this below the loudest are not expected [dB]
 _MISSING = -12.0  # modes that are louder than this should be found [dB]
 _STEP = 0.01  # of a derivative
 _MOST_LOST = 0.5  # part of the partials' weight that may fit no mode
+_HALVINGS = 2  # of a step that leads away
 _HEADS = ("batter.tension", "resonant.tension")
 _FITTED = ("batter.", "resonant.")  # what modes hang on
 
@@ -90,6 +92,8 @@ class _Search:
     def __init__(self, space: Space, partials: Partials) -> None:
         self.space, self.partials = space, partials
         self.heads = [space.keys.index(key) for key in _HEADS if key in space.keys]
+        self.placing = [index for index, key in enumerate(space.keys) if key.endswith((".tension", ".surface_density"))
+                        and key.startswith(_FITTED)]
         self.fitted = [index for index, key in enumerate(space.keys) if key.startswith(_FITTED)]
         self.frequency, self.decay = np.log(partials.frequency), np.log(partials.decay_rate)
         level, decay = partials.level, partials.decay_rate
@@ -140,6 +144,11 @@ class _Search:
         spread = max(1.0, float(np.sum(robust * here**2) / max(1.0, np.sum(robust) - 0.5 * len(free))))
         after = point.copy()
         after[free] = np.clip(point[free] + np.linalg.solve(curvature, pull), low, high)
+        before = self.cost(modes, width, TOP)
+        for _ in range(_HALVINGS):
+            if self.cost(self.modes(after, TOP), width, TOP) <= before:
+                break
+            after = 0.5 * (point + after)
         return after, spread * np.linalg.inv(curvature)
 
     @staticmethod
@@ -159,7 +168,7 @@ class _Search:
         scan = _Scan(self, middle, lines)
         fine = [np.linspace(line[0], line[-1], _FINE) for line in lines]
         points = np.stack(np.meshgrid(*fine, indexing="ij"), axis=-1).reshape(-1, len(fine))
-        costs = np.array([self.cost(scan.modes(place), _WIDTHS[0], _SCAN_TOP) for place in points])
+        costs = np.array([self.cost(scan.modes(place), _FAR[0], _SCAN_TOP) for place in points])
         chosen: List[Array] = []
         for place in points[np.argsort(costs, kind="stable")]:
             if all(np.abs(place - other).max() > _APART for other in chosen):
@@ -177,16 +186,16 @@ class _Search:
         middle = 0.5 * (self.space.low + self.space.high)
         ends = []
         for point in self.starts(middle):
-            for width in _WIDTHS[1:3]:
-                point = self.step(point, self.heads, width)[0]
-            ends.append((self.cost(self.modes(point, TOP), _WIDTHS[2], TOP), point))
+            for width in _FAR:
+                point = self.step(point, self.placing, width)[0]
+            ends.append((self.cost(self.modes(point, TOP), _NEAR[0], TOP), point))
         point = min(ends, key=lambda end: end[0])[1]
-        for width in _WIDTHS[2:]:
+        for width in _NEAR:
             point, part = self.step(point, self.fitted, width)
         covariance = np.diag((self.space.high - self.space.low) ** 2 / 12)
         covariance[np.ix_(self.fitted, self.fitted)] = part
         modes = self.modes(point, TOP)
-        nearest, distance = self.match(modes, _WIDTHS[2])
+        nearest, distance = self.match(modes, _NEAR[0])
         return ModalFit(point, covariance, tuple(modes.labels[mode] if far < _FARTHEST else None
                                                  for mode, far in zip(nearest, distance)), modes)
 

@@ -7,7 +7,7 @@ to the drum: microphones, room, speeds of strokes.
 
 from __future__ import annotations
 
-from typing import Dict, Mapping, Tuple
+from typing import Dict, Mapping, Tuple, Union
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,11 @@ Array = NDArray[np.float64]
 
 SPEED = "speed"  # of the hardest stroke [m/s]
 SPEED_RANGE = "speed_range"  # of the hardest stroke over that of the softest
+
+# The first zero of J1: the mode with one nodal diameter of a head of radius 1 has this wave number, in vacuum and in air.
+_WAVE_NUMBER = 3.8317
+#: Of rooms, where it is not known: each simulated recording has its own [m].
+ROOM_SIZES = (3.0, 8.0)
 
 # Limits as factors of the base preset's value.
 _HEADS: Dict[str, Tuple[float, float]] = {
@@ -106,3 +111,31 @@ def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str,
         if not key.startswith(SPEED):
             base.copy({key: low}).copy({key: high}).validate()  # says what is not allowed
     return Space(base, limits)
+
+
+def derived(base: Definition, values: Mapping[str, Union[float, Array]]) -> Dict[str, Union[float, Array]]:
+    """What recordings determine better than the parameters that it follows from.
+
+    Parameters
+    ----------
+    base : Definition
+        The drum as far as it is known.
+    values : mapping
+        Parameters, by key.
+
+    Returns
+    -------
+    dict
+        Of each head that is looked for: tension over density, the square of the speed of its waves [m2/s2], and its loss at
+        the wave number of the mode with one nodal diameter, damping_0 + damping_k k + damping_1 k^2 [1/s].
+    """
+    found: Dict[str, Union[float, Array]] = {}
+    for head in ("batter", "resonant"):
+        tension, density = f"{head}.tension", f"{head}.surface_density"
+        if tension in values and density in values:
+            found[f"{tension}/{density}"] = values[tension] / values[density]
+        if f"{head}.damping_0" in values:
+            number = _WAVE_NUMBER / float(base["shell.radius"])
+            found[f"{head}.loss"] = sum(values.get(f"{head}.damping_{name}", float(base[f"{head}.damping_{name}"])) * number**power
+                                        for power, name in enumerate("0k1"))
+    return found

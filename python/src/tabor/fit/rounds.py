@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, NamedTuple, Sequence, Tuple
+from typing import Callable, List, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,14 +18,6 @@ Array = NDArray[np.float64]
 Describe = Callable[[Sequence[Array], int], List[Array]]
 
 _WIDER = 1.5  # than what is known: where the next round simulates
-
-
-class Round(NamedTuple):
-    """One of them."""
-
-    points: Array
-    vectors: Array
-    posterior: Posterior
 
 
 def _reflected(points: Array, low: Array, high: Array) -> Array:
@@ -44,7 +36,7 @@ def _first_points(space: Space, fit: ModalFit, count: int, random: np.random.Gen
 
 
 def run_rounds(space: Space, fit: ModalFit, observed: Array, describe: Describe, counts: Sequence[int],
-               seed: int) -> Tuple[Round, ...]:
+               seed: int) -> Posterior:
     """Simulates and learns.
 
     Parameters
@@ -64,24 +56,21 @@ def run_rounds(space: Space, fit: ModalFit, observed: Array, describe: Describe,
 
     Returns
     -------
-    tuple of Round
-        The last one knows most.
+    Posterior
+        What the last two rounds say.
     """
     random = np.random.default_rng(seed)
-    rounds: List[Round] = []
+    points = _first_points(space, fit, counts[0], random)
+    near, seen = points[:0], np.empty((0, len(observed)))
     done = 0
-    for count in counts:
-        if rounds:
-            samples = rounds[-1].posterior.samples
-            drawn = samples[random.choice(len(samples), count)]
-            points = _reflected(samples.mean(axis=0) + _WIDER * (drawn - samples.mean(axis=0)), space.low, space.high)
-        else:
-            points = _first_points(space, fit, count, random)
+    for index, count in enumerate(counts):
         points = points.round(7)  # as descriptions are: see simulation.DIGITS
         vectors = np.array(describe(list(points), done))
         done += count
-        before = rounds[-1:]
-        near, seen = (np.concatenate([*[getattr(one, part) for one in before], new])
-                      for part, new in (("points", points), ("vectors", vectors)))
-        rounds.append(Round(points, vectors, infer(near, seen, observed, space.low, space.high, random)))
-    return tuple(rounds)
+        posterior = infer(np.concatenate([near, points]), np.concatenate([seen, vectors]), observed, space.low, space.high, random)
+        near, seen = points, vectors
+        if index + 1 < len(counts):
+            samples = posterior.samples
+            drawn = samples[random.choice(len(samples), counts[index + 1])]
+            points = _reflected(samples.mean(axis=0) + _WIDER * (drawn - samples.mean(axis=0)), space.low, space.high)
+    return posterior

@@ -18,7 +18,7 @@ from ..model import Model
 from ..rendering import render
 from .features import described, make_noise
 from .modal_fit import DECAY_WIDTH, TOP, Modes, modes_of
-from .parameters import SPEED, SPEED_RANGE, Space
+from .parameters import ROOM_SIZES, SPEED, SPEED_RANGE, Space
 from .partials import Partials, find_partials
 from .recordings import DURATION, Recording, Stroke, from_stroke
 
@@ -37,7 +37,7 @@ class Plan(NamedTuple):
     mics: Tuple[str, ...]
     loudness: Tuple[float, ...]  #: of the strokes: parts of the hardest one's speed; or places among the strokes, 0 to 1
     are_levels_known: bool  #: which of the two
-    noise: Tuple[Array, ...]  #: of each microphone, as by `noise_of`
+    noise: Tuple[Tuple[Array, ...], ...]  #: of each stroke at each microphone, as by `noise_of`
     labels: Tuple[Tuple[int, int], ...]  #: of the modes whose partials are described
     quality: str
 
@@ -73,6 +73,11 @@ def stroke_of(sound: Array, mics: Sequence[str], rate: float) -> Stroke:
     """A simulated sound of shape (microphones, frames), as if it were recorded."""
     rows = [from_stroke(row) for row in sound]
     return Stroke(tuple(Recording(mic, row, row[None], rate) for mic, row in zip(mics, rows)))
+
+
+def with_noise(sound: Array, noise: Sequence[Array], rate: float, random: np.random.Generator) -> Array:
+    """A simulated sound of shape (microphones, frames), at its peaks 1, with each microphone's noise."""
+    return np.array([row / np.abs(row).max() + make_noise(one, len(row), rate, random) for row, one in zip(sound, noise)])
 
 
 def _belonging(partials: Optional[Partials], modes: Modes, labels: Sequence[Tuple[int, int]]) -> Array:
@@ -140,13 +145,13 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
     """
     random = np.random.default_rng(seed)
     drum = plan.space.definition(point)
+    if drum.has_room and not drum["room.size"]:
+        drum["room.size"] = random.uniform(*ROOM_SIZES)
     model = Model(drum, plan.rate, plan.quality)
     strokes = []
-    for speed in plan.speeds(point):
-        sound = play(model, speed, plan.mics)
-        noisy = np.array([row / np.abs(row).max() + make_noise(noise, len(row), plan.rate, random)
-                          for row, noise in zip(sound, plan.noise)])
-        strokes.append(stroke_of(noisy, plan.mics, plan.rate))
+    for speed, noise in zip(plan.speeds(point), plan.noise):
+        sound = with_noise(play(model, speed, plan.mics), noise, plan.rate, random)
+        strokes.append(stroke_of(sound, plan.mics, plan.rate))
     modes = modes_of(model, float(drum["strike.radius"]), TOP)
     description = np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])
     return np.round(description, DIGITS)

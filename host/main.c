@@ -12,9 +12,17 @@
 #include "base/suggest.h"
 #include "platform/process.h"
 
-static const Command *const commands[] = {
-  &render_command, &library_command, &play_command,    &presets_command, &show_command,
-  &modes_command,  &bench_command,   &analyze_command, &devices_command, NULL};
+static const Command *const commands[] = {&render_command,
+                                          &library_command,
+                                          &play_command,
+                                          &presets_command,
+                                          &show_command,
+                                          &modes_command,
+                                          &bench_command,
+                                          &analyze_command,
+                                          &devices_command,
+                                          &fit_command,
+                                          NULL};
 
 static const char *command_name_at(const void *list, size_t index) {
   const Command *const command = ((const Command *const *)list)[index];

@@ -36,7 +36,7 @@ if(TARGET tabor-program)
   endif()
   foreach(name IN ITEMS test_library_sampler test_system_analyze test_system_bench test_system_completion
                         test_system_events_file
-                        test_system_files test_system_humanize test_system_jobs test_system_keys test_system_options test_system_kit_play test_system_kit_render test_system_library
+                        test_system_files test_system_fit test_system_humanize test_system_jobs test_system_keys test_system_options test_system_kit_play test_system_kit_render test_system_library
                         test_system_library_kit
                         test_system_killed_take test_system_midi_file
                         test_system_play test_system_play_random

@@ -17,5 +17,6 @@ extern const Command modes_command;   /* modes.c */
 extern const Command bench_command;   /* bench.c */
 extern const Command analyze_command; /* analyze.c */
 extern const Command devices_command; /* devices.c */
+extern const Command fit_command;     /* fit_command.c */
 
 #endif

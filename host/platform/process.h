@@ -20,6 +20,13 @@ unsigned process_processors(void);
  * on Windows. */
 void *process_loaded_function(const char *name);
 
+/**
+ * Runs a program that is found in the path and waits for its end. @p words: its name and arguments,
+ * then NULL. Returns its exit status, 128 and more after a signal, -1 with errno if it cannot be
+ * started.
+ */
+int process_run(const char *const *words);
+
 /** Memory aligned to @p alignment, a power of two. Free it with process_free_aligned(). */
 void *process_allocate_aligned(size_t alignment, size_t size);
 void process_free_aligned(void *memory);

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT */
 #define _GNU_SOURCE /* RTLD_DEFAULT */
 #include <dlfcn.h>
+#include <errno.h>
 #include <fcntl.h>
+#include <spawn.h>
 #include <stdlib.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "platform/process.h"
@@ -29,6 +32,19 @@ unsigned process_processors(void) {
 }
 
 void *process_loaded_function(const char *name) { return dlsym(RTLD_DEFAULT, name); }
+
+int process_run(const char *const *words) {
+  extern char **environ;
+  pid_t child;
+  /* Arguments are not changed; C has no type for that. */
+  errno = posix_spawnp(&child, words[0], NULL, NULL, (char *const *)words, environ);
+  if (errno != 0) return -1;
+  int status;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return -1;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
 
 void *process_allocate_aligned(size_t alignment, size_t size) {
   return aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);

@@ -2,7 +2,9 @@
 #include <fcntl.h>
 #include <io.h>
 #include <malloc.h>
+#include <process.h>
 #include <stdlib.h>
+#include <string.h>
 #include <windows.h>
 
 #include <shellapi.h>
@@ -45,6 +47,52 @@ unsigned process_processors(void) {
 void *process_loaded_function(const char *name) {
   (void)name;
   return NULL;
+}
+
+/* A word as the C library of the other program takes it from its command line: in quotes, with
+ * backslashes doubled before quotes and at the end. */
+static wchar_t *quoted(const char *word) {
+  wchar_t *const wide = wide_from_utf8(word);
+  wchar_t *const text = wide ? malloc((2 * wcslen(wide) + 3) * sizeof *text) : NULL;
+  if (text) {
+    wchar_t *end = text;
+    size_t backslashes = 0;
+    *end++ = L'"';
+    for (const wchar_t *next = wide;; next++) {
+      if (*next == L'"' || !*next)
+        for (; backslashes > 0; backslashes--) *end++ = L'\\';
+      if (!*next) break;
+      if (*next == L'"') *end++ = L'\\';
+      backslashes = *next == L'\\' ? backslashes + 1 : 0;
+      *end++ = *next;
+    }
+    *end++ = L'"';
+    *end = 0;
+  }
+  free(wide);
+  return text;
+}
+
+static bool quote_all(const char *const *words, wchar_t **quotes) {
+  for (; *words; words++, quotes++) {
+    *quotes = quoted(*words);
+    if (!*quotes) return false;
+  }
+  return true;
+}
+
+int process_run(const char *const *words) {
+  size_t count = 0;
+  while (words[count]) count++;
+  wchar_t **const quotes = calloc(count + 1, sizeof *quotes);
+  wchar_t *const name = wide_from_utf8(words[0]);
+  int status = -1;
+  if (quotes && name && quote_all(words, quotes))
+    status = (int)_wspawnvp(_P_WAIT, name, (const wchar_t *const *)quotes);
+  for (size_t i = 0; quotes && i < count; i++) free(quotes[i]);
+  free(quotes);
+  free(name);
+  return status;
 }
 
 void *process_allocate_aligned(size_t alignment, size_t size) {

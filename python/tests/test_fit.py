@@ -197,12 +197,15 @@ def test_a_wrong_request_is_refused_in_a_line(tmp_path, capsys, line, complaint)
 
 
 def test_the_command_writes_a_preset_and_a_table(folder, capsys):
-    assert main([str(folder / "drum.toml"), "-o", str(folder / "out"), "--rounds", "30", "--generations", "0", "-q"]) == 0
+    assert main([str(folder / "drum.toml"), "-o", str(folder / "out"), "--rounds", "30", "--generations", "0", "-q", "--json"]) == 0
     preset = tabor.Definition.load(folder / "out/found.ini")
     assert preset["shell.radius"] == tabor.Definition("tom-10")["shell.radius"]
     rows = (folder / "out/parameters.csv").read_text().splitlines()
     assert rows[0].startswith("parameter,value,low,high") and any(row.startswith("batter.tension,") for row in rows)
-    assert "Written:" in capsys.readouterr().out
+    said = capsys.readouterr()
+    facts = json.loads(said.out)
+    assert said.err == "" and facts["name"] == "found" and len(facts["fitted"]) == 2
+    assert f"{facts['parameters'][0]['value']:.5g}" == rows[1].split(",")[1]
     report = (folder / "out/report.html").read_text()
     assert report.count("<audio") == 4 and report.count("<img") == 4 and "batter.tension" in report  # two strokes
     assert "http" not in report  # it needs no other file

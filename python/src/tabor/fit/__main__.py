@@ -5,17 +5,18 @@ from __future__ import annotations
 
 import argparse
 import csv
+import json
 import os
 import sys
-from typing import List, Optional
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence
 
 from .._library import Error
 from ..model import Model
 from ..takes import _processors
-from .comparison import best_speed, partial_differences, stroke_differences
+from .comparison import PartialDifference, StrokeDifference, best_speed, partial_differences, stroke_differences
 from .fitting import Fit, Settings, fit
 from .report import make_report
-from .request import Request, read_request
+from .request import read_request
 
 
 def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
@@ -29,7 +30,8 @@ def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
     parser.add_argument("--generations", type=int, default=150,
                         help="of the search where rounds do not follow the recording (default: 150; 0: no search)")
     parser.add_argument("--seed", type=int, default=1, help="of all that is drawn (default: 1)")
-    parser.add_argument("-q", "--quiet", action="store_true", help="say nothing about the stages")
+    parser.add_argument("--json", action="store_true", help="print facts as JSON on standard output")
+    parser.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors and warnings")
     return parser.parse_args(given)
 
 
@@ -49,21 +51,45 @@ def _write_table(path: str, found: Fit) -> None:
             table.writerow([one.key, *numbers, "yes" if one.determined else "no"])
 
 
-def _compare(request: Request, found: Fit) -> str:
-    """Prints differences from the recording; the report."""
-    model = Model(found.definition, request.rate, "live")
+class _Differences(NamedTuple):
+    """Between the drum that was found and the recordings."""
+
+    fitted: List[StrokeDifference]
+    predicted: List[StrokeDifference]
+    partials: List[PartialDifference]
+
+
+def _compare(found: Fit, model: Model) -> _Differences:
+    request = found.request
     kept = [best_speed(model, request.mics, stroke) for stroke in request.kept]
-    fitted = stroke_differences(model, request.mics, request.strokes, found.speeds)
-    predicted = stroke_differences(model, request.mics, request.kept, kept)
-    partials = partial_differences(model, request.mics, request.strokes, found.speeds)
+    return _Differences(stroke_differences(model, request.mics, request.strokes, found.speeds),
+                        stroke_differences(model, request.mics, request.kept, kept),
+                        partial_differences(model, request.mics, request.strokes, found.speeds))
+
+
+def _print_text(found: Fit, differences: _Differences, files: Sequence[str]) -> None:
+    for one in found.estimates:
+        print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g}{'' if one.determined else '   not determined'}")
     print("Third octaves beside the recording, root mean square [dB]: 0-50 ms, 50-200 ms")
-    for differences, kind in ((fitted, "fitted"), (predicted, "predicted")):
-        for one in differences:
-            print(f"  {one.early:5.1f} {one.late:5.1f}  {kind} at {one.speed:.2f} m/s: {one.name}")
+    for strokes, kind in ((differences.fitted, "fitted"), (differences.predicted, "predicted")):
+        for stroke in strokes:
+            print(f"  {stroke.early:5.1f} {stroke.late:5.1f}  {kind} at {stroke.speed:.2f} m/s: {stroke.name}")
     print("Partials of the recording [Hz], the model's beside them [cents], ratio of decay rates")
-    for partial in partials:
+    for partial in differences.partials:
         print(f"  {partial.frequency:7.1f} {partial.cents:+6.0f} {partial.decay_ratio:6.2f}")
-    return make_report(found, model, fitted, predicted, partials)
+    print(f"Objective: {found.objective:.2f} (1: as far from the recordings as strokes of the same dynamics are from each other)")
+    print(f"Written: {', '.join(files)}")
+
+
+def _rows(some: Iterable[Any]) -> List[Dict[str, Any]]:
+    """Named tuples for JSON, which has no NaN."""
+    return [{key: None if value != value else value for key, value in one._asdict().items()} for one in some]
+
+
+def _print_json(found: Fit, differences: _Differences, files: Sequence[str]) -> None:
+    print(json.dumps({"name": found.request.name, "objective": found.objective, "surprise": found.surprise,
+                      "parameters": _rows(found.estimates), "fitted": _rows(differences.fitted),
+                      "predicted": _rows(differences.predicted), "partials": _rows(differences.partials), "files": list(files)}))
 
 
 def _run(arguments: argparse.Namespace) -> None:
@@ -76,16 +102,17 @@ def _run(arguments: argparse.Namespace) -> None:
     settings = Settings(tuple(counts), arguments.generations, arguments.jobs, arguments.seed)
     say = (lambda text: None) if arguments.quiet else (lambda text: print(text, file=sys.stderr, flush=True))
     found = fit(request, arguments.output, settings, say)
-    preset = os.path.join(arguments.output, f"{request.name}.ini")
-    found.definition.save(preset)
-    _write_table(os.path.join(arguments.output, "parameters.csv"), found)
-    for one in found.estimates:
-        print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g}{'' if one.determined else '   not determined'}")
-    report = os.path.join(arguments.output, "report.html")
-    with open(report, "w", encoding="utf-8") as file:
-        file.write(_compare(request, found))
-    print(f"Objective: {found.objective:.2f} (1: as far from the recordings as strokes of the same dynamics are from each other)")
-    print(f"Written: {preset}, {report}")
+    files = [os.path.join(arguments.output, name) for name in (f"{request.name}.ini", "parameters.csv", "report.html")]
+    found.definition.save(files[0])
+    _write_table(files[1], found)
+    model = Model(found.definition, request.rate, "live")
+    differences = _compare(found, model)
+    with open(files[2], "w", encoding="utf-8") as file:
+        file.write(make_report(found, model, *differences))
+    if arguments.json:
+        _print_json(found, differences, files)
+    elif not arguments.quiet:
+        _print_text(found, differences, files)
 
 
 def main(given: Optional[List[str]] = None) -> int:

@@ -17,7 +17,8 @@ from tabor.fit.modal_fit import fit_partials
 from tabor.fit.parameters import space_of
 from tabor.fit.partials import find_partials
 from tabor.fit.recordings import checked
-from tabor.fit.search import DECAY_FLOOR, FREQUENCY_FLOOR, objective_of, search
+from tabor.fit.search import objective_of, search
+from tabor.fit.simulation import Plan
 
 RATE = 48000
 BASE = {"room.kind": "studio", "mic.top.response": "flat"}
@@ -99,7 +100,7 @@ def test_intervals_of_a_linear_description_hold_the_truth_in_nine_of_ten():
 
 
 def test_the_first_stage_finds_the_tension_over_density_of_the_batter_head(recorded):
-    space = space_of(tabor.Definition("tom-10", BASE), {}, {})
+    space = space_of(tabor.Definition("tom-10", BASE), {}, {}, 3)
     found = fit_partials(space, find_partials(recorded))
     values = space.values(found.point)
     ratio = values["batter.tension"] / values["batter.surface_density"]
@@ -124,23 +125,25 @@ def test_a_fit_finds_the_drum_and_goes_on_where_it_was(folder):
 
 
 def test_the_objective_is_one_if_all_differ_by_their_floors():
-    partials, floor = 3, np.full(len(LABELS), 2.0)
-    observed = np.zeros(2 * partials + 4 * len(floor))
-    objective = objective_of(observed, partials, floor)
+    plan = Plan(None, RATE, ("top",), (0.2, 1.0), True, (), ((0, 0), (1, 0), (2, 0)), "draft")
+    groups = plan.groups()
+    assert len(groups) == 3 + 3 + 1 + 2 * len(LABELS)
+    objective = objective_of(np.zeros(len(groups)), groups, np.full(len(LABELS), 2.0))
+    assert objective.floor[0] == pytest.approx(np.log(2) * 10 / 1200) and objective.floor[-1] == 2.0
     assert objective.of(objective.floor) == pytest.approx(1)
     assert objective.of(10 * objective.floor) == pytest.approx(3 * (20 - 3))  # along a line
     lost = objective.floor.copy()
     lost[0] = np.nan
-    assert objective.of(lost) == pytest.approx(1 + (9 - 1) / partials / 6)  # six groups count alike
+    assert objective.of(lost) == pytest.approx(1 + (9 - 1) / 3 / 7)  # seven groups count alike
 
 
 def test_a_search_finds_the_lowest_place():
     low, high, truth = -np.ones(4), np.ones(4), np.array([0.3, -0.2, 0.6, 0.9])
-    slopes = 10 * np.random.default_rng(4).normal(size=(2 + len(LABELS), 4))
-    slopes[:2] *= [[FREQUENCY_FLOOR], [DECAY_FLOOR]]
-    objective = objective_of(slopes @ truth, 1, np.full(len(LABELS), 2.0))
+    slopes = 10 * np.random.default_rng(4).normal(size=(len(LABELS), 4))
+    groups = Plan(None, RATE, ("top",), (1.0,), False, (), (), "draft").groups()
+    objective = objective_of(slopes @ truth, groups, np.full(len(LABELS), 2.0))
     found = search(objective, np.zeros(4), np.full(4, 0.5), low, high, lambda points, done: [slopes @ point for point in points],
-                   60, 0, 1, lambda text: None)
+                   60, 1, lambda text: None)
     np.testing.assert_allclose(found.point, truth, atol=0.01)
     assert found.objective == objective.of(slopes @ found.point)
 
@@ -181,14 +184,15 @@ def test_what_is_no_stroke_is_refused(sound, complaint):
     ("[drum]\nsnares = \"on\"", "0 wires"),
     ("[batter]\nplies = 2", "lacks mil"),
     ("[known]\n\"batter.mass\" = 3", "batter.mass"),
-    ("[range]\n\"batter.tension\" = [3000, 1000]", "batter.tension: 3000 to 1000"),
-    ("[range]\n\"batter.unevenness\" = [0.1, 9]", "batter.unevenness"),
+    ("[strokes]\ntop = \"a.wav\"\n[range]\n\"batter.tension\" = [3000, 1000]", "batter.tension: 3000 to 1000"),
+    ("[strokes]\ntop = \"a.wav\"\n[range]\n\"batter.unevenness\" = [0.1, 9]", "batter.unevenness"),
     ("[strokes]\nabove = \"a.wav\"", "no such microphone"),
     ("[strokes]\ntop = \"none-*.wav\"", "no such file"),
     ("", "names no recordings"),
     ("[drum", "drum.toml"),
 ])
 def test_a_wrong_request_is_refused_in_a_line(tmp_path, capsys, line, complaint):
+    soundfile.write(tmp_path / "a.wav", struck([4.0])[0], RATE, subtype="FLOAT")
     (tmp_path / "drum.toml").write_text(line)
     assert main([str(tmp_path / "drum.toml"), "-o", str(tmp_path / "out")]) == 1
     said = capsys.readouterr().err

@@ -24,7 +24,7 @@ from .inference import Posterior, infer
 from .rounds import run_rounds
 from .scatter import Scatter, scatter_of
 from .search import Describe, Objective, objective_of, search
-from .simulation import DIGITS, Plan, describe_partials, simulate
+from .simulation import DIGITS, Plan, describe_partials, levels_of, simulate
 
 Array = NDArray[np.float64]
 
@@ -69,11 +69,14 @@ class Fit(NamedTuple):
     speeds: Tuple[float, ...]  #: of the request's strokes [m/s]
 
 def loudness_of(strokes: Sequence[Stroke], are_levels_known: bool) -> List[float]:
-    """Parts of the hardest stroke's speed, as the peaks have it; or places among the strokes, 0 to 1."""
+    """Parts of the hardest stroke's peak; or places among the strokes, 0 to 1."""
     if not are_levels_known:
         return list(np.linspace(0.0, 1.0, len(strokes))) if len(strokes) > 1 else [1.0]
-    peaks = [float(np.abs(stroke.recordings[0].sound).max()) for stroke in strokes]
-    return [peak / max(peaks) for peak in peaks]
+    return [float(peak) for peak in _peaks(strokes)[:, 0] / _peaks(strokes)[-1, 0]]
+
+
+def _peaks(strokes: Sequence[Stroke]) -> Array:
+    return np.array([[np.abs(one.sound).max() for one in stroke.recordings] for stroke in strokes])
 
 
 def _chosen(count: int) -> List[int]:
@@ -130,7 +133,8 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     labels = tuple(label for label in dict.fromkeys(modal.labels) if label is not None)
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
-    observed = np.concatenate([describe_partials(plan, [request.strokes[index] for index in chosen], modal.modes),
+    strokes = [request.strokes[index] for index in chosen]
+    observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(_peaks(strokes), request.are_levels_known),
                                scatter.smooth[chosen].ravel()]).round(DIGITS)
     os.makedirs(folder, exist_ok=True)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
@@ -144,11 +148,15 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     try:
         posterior = run_rounds(request.space, modal, observed, describe_points, settings.counts, settings.seed)
         point = posterior.samples.mean(axis=0)
-        objective = objective_of(observed, len(labels), scatter.floor)
+        objective = objective_of(observed, plan.groups(), scatter.floor)
         apart = objective.of(describe_points([point.round(7)], total)[0])
         say(f"objective {apart:.2f}")
         if apart > _FOLLOWED and settings.generations:
-            point, apart, posterior = _searched(request.space, objective, posterior, describe_points, settings, say)
+            # The same noise and room in each, so that drums are compared.
+            def describe_alike(points: Sequence[Array], done: int) -> List[Array]:
+                return journal.describe("search", lambda point, seed: simulate(plan, point, settings.seed), points, done)
+
+            point, apart, posterior = _searched(request.space, objective, posterior, describe_alike, settings, say)
     finally:
         journal.close()
     every = plan._replace(loudness=tuple(loudness))
@@ -160,7 +168,7 @@ def _searched(space: Space, objective: Objective, posterior: Posterior, describe
               say: Callable[[str], object]) -> Tuple[Array, float, Posterior]:
     """The drum that a search finds, its objective, and what the simulations around it say of the recording."""
     found = search(objective, posterior.samples.mean(axis=0), posterior.samples.std(axis=0), space.low, space.high,
-                   describe_points, settings.generations, sum(settings.counts) + 1, settings.seed, say)
+                   describe_points, settings.generations, settings.seed, say)
     enough = _NEAR * len(space.keys)
     if len(found.points) >= enough:
         posterior = infer(found.points[-enough:], found.vectors[-enough:], objective.observed, space.low, space.high,

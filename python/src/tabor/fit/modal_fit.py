@@ -13,7 +13,7 @@ weaker and faster ones.
 
 from __future__ import annotations
 
-from typing import List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,11 +27,11 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
 _SCAN_TOP, TOP = 450.0, 700.0  # of the modes that are computed on the grid, and later [Hz]
-_GRID, _FINE = 7, 49  # tensions of each head that are computed and interpolated
-_STARTS = 3
+_GRID, _FINE = 5, 49  # tensions of each head that are computed and interpolated
+_STARTS, _KEPT = 3, (3, 2, 2, 1)  # places where the search begins, and those that it keeps as it comes closer
 _APART = 0.15  # of the starts, in logarithms of tension
 # Of frequencies that may belong together: as steps come closer.
-_FAR, _NEAR = (0.04, 0.03, 0.02, 0.01), (0.01, 0.006, 0.006)
+_FAR, _NEAR = (0.04, 0.03, 0.02, 0.01), (0.01, 0.006)
 DECAY_WIDTH = 0.7
 _FARTHEST = 9.0  # squared distance of a partial that belongs to no mode
 _HEARD = -20.0  # modes that radiate less than this below the loudest are not expected [dB]
@@ -100,8 +100,15 @@ class _Search:
         self.frequency_error = np.minimum(5e-4 * 10 ** (-level / 45) * (1 + (decay / 8) ** 3), 0.03)
         self.decay_error = np.minimum(0.1 * 10 ** (-level / 90) * (1 + (decay / 10) ** 2), 1.0)
         self.weight = (level + 45) / 45
+        self._known: Dict[bytes, Modes] = {}
 
     def modes(self, point: Array, top: float) -> Modes:
+        key = point.tobytes() + bytes(str(top), "ascii")
+        if key not in self._known:
+            self._known[key] = self._modes(point, top)
+        return self._known[key]
+
+    def _modes(self, point: Array, top: float) -> Modes:
         drum = self.space.definition(point)
         drum["wires.count"] = 0
         drum["quality.two_way_bandwidth"] = drum["quality.bandwidth"] = top
@@ -184,12 +191,11 @@ class _Search:
 
     def run(self) -> ModalFit:
         middle = 0.5 * (self.space.low + self.space.high)
-        ends = []
-        for point in self.starts(middle):
-            for width in _FAR:
-                point = self.step(point, self.placing, width)[0]
-            ends.append((self.cost(self.modes(point, TOP), _NEAR[0], TOP), point))
-        point = min(ends, key=lambda end: end[0])[1]
+        points = self.starts(middle)
+        for width, kept in zip(_FAR, _KEPT):
+            points = [self.step(point, self.placing, width)[0] for point in points]
+            points = sorted(points, key=lambda point: self.cost(self.modes(point, TOP), _NEAR[0], TOP))[:kept]
+        point = points[0]
         for width in _NEAR:
             point, part = self.step(point, self.fitted, width)
         covariance = np.diag((self.space.high - self.space.low) ** 2 / 12)

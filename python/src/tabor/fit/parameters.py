@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 
 SPEED = "speed"  # of the hardest stroke [m/s]
 SPEED_RANGE = "speed_range"  # of the hardest stroke over that of the softest
+SPEED_POWER = "speed_power"  # speeds are levels, relative to the hardest stroke, to this power
 
 # The first zero of J1: the mode with one nodal diameter of a head of radius 1 has this wave number, in vacuum and in air.
 _WAVE_NUMBER = 3.8317
@@ -39,7 +40,8 @@ _WIRES: Dict[str, Tuple[float, float]] = {
 }
 _ROOM: Dict[str, Tuple[float, float]] = {"room.level": (0.2, 2.0)}
 _SPEEDS: Dict[str, Tuple[float, float]] = {SPEED: (3.0, 8.0)}
-_ALL_SPEEDS: Dict[str, Tuple[float, float]] = {**_SPEEDS, SPEED_RANGE: (2.0, 10.0)}
+_POWER: Dict[str, Tuple[float, float]] = {SPEED_POWER: (0.7, 1.2)}
+_RANGE: Dict[str, Tuple[float, float]] = {SPEED_RANGE: (2.0, 10.0)}
 
 
 class Space:
@@ -73,7 +75,7 @@ def _key(base: Definition, key: str) -> str:
 
 
 def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str, Tuple[float, float]],
-             are_levels_known: bool = True) -> Space:
+             strokes: int, are_levels_known: bool = True) -> Space:
     """The parameters of a drum that are looked for.
 
     Parameters
@@ -84,6 +86,8 @@ def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str,
         Keys that are not looked for.
     ranges : mapping of str to (float, float)
         Limits in place of the usual ones, in the keys' units.
+    strokes : int
+        How many there are.
     are_levels_known : bool
         Whether the recordings' levels tell the speeds of strokes apart.
 
@@ -103,7 +107,7 @@ def space_of(base: Definition, known: Mapping[str, object], ranges: Mapping[str,
         key = _key(base, key)
         if key not in known and key in base and float(base[key]) > 0:
             limits[key] = (low * float(base[key]), high * float(base[key]))
-    limits.update(_SPEEDS if are_levels_known else _ALL_SPEEDS)
+    limits.update({**_SPEEDS, **({} if strokes == 1 else _POWER if are_levels_known else _RANGE)})
     limits.update(ranges)
     for key, (low, high) in limits.items():
         if not 0 < low < high:

@@ -166,7 +166,6 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
     base = _base(name, tables["drum"], {head: tables[head] for head in ("batter", "resonant")})
     base.update(tables["known"])
     normalized = bool(tables["recording"].get("normalized", False))
-    space = space_of(base, tables["known"], _ranges(name, tables["range"]), not normalized)
     mics = tuple(tables["strokes"])
     if not mics:
         raise Error(f"{name}: [strokes] names no recordings; needed: a microphone and its files, top = \"stroke-*.wav\"")
@@ -175,6 +174,7 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
             raise Error(f"{name}: [strokes] {mic}: the drum has no such microphone; it has {', '.join(base.mics)}")
     strokes = _strokes(name, folder, "strokes", tables["strokes"], mics)
     kept = _strokes(name, folder, "predict", tables["predict"], mics)
+    space = space_of(base, tables["known"], _ranges(name, tables["range"]), len(strokes), not normalized)
     rates = {one.rate: one.name for stroke in (*strokes, *kept) for one in stroke.recordings}
     if len(rates) > 1:
         raise Error(f"{name}: the files have different sample rates: {', '.join(f'{file} {rate:g} Hz' for rate, file in rates.items())}")

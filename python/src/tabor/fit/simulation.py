@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Recordings described, and the same description of simulated ones.
 
-A description is a vector: frequencies and decays of the partials that belong to modes (logarithms), then the features of
-a few strokes at each microphone (dB). NaN stands for what is missing.
+A description is a vector: frequencies and decays of the partials that belong to modes (logarithms), then, where levels
+are known, those of the strokes relative to the hardest one's, then the features of a few strokes at each microphone (dB).
+NaN stands for what is missing.
 """
 
 from __future__ import annotations
@@ -16,9 +17,9 @@ from .._library import Error
 from ..events import strike
 from ..model import Model
 from ..rendering import render
-from .features import described, make_noise
+from .features import LABELS, described, make_noise
 from .modal_fit import DECAY_WIDTH, TOP, Modes, modes_of
-from .parameters import ROOM_SIZES, SPEED, SPEED_RANGE, Space
+from .parameters import ROOM_SIZES, SPEED, SPEED_POWER, SPEED_RANGE, Space
 from .partials import Partials, find_partials
 from .recordings import DURATION, Recording, Stroke, from_stroke
 
@@ -26,6 +27,7 @@ Array = NDArray[np.float64]
 
 _WIDTH = 0.02  # of frequencies that may belong together
 DIGITS = 6  # of a description: the last bits of linear algebra differ from run to run, and would draw other points
+FREQUENCY, DECAY, LEVEL = -4, -3, -2  # groups of elements, beside windows
 _FARTHEST = 4.0  # squared distance of a partial from its mode
 
 
@@ -35,7 +37,7 @@ class Plan(NamedTuple):
     space: Space
     rate: float  #: [Hz]
     mics: Tuple[str, ...]
-    loudness: Tuple[float, ...]  #: of the strokes: parts of the hardest one's speed; or places among the strokes, 0 to 1
+    loudness: Tuple[float, ...]  #: of the strokes: parts of the hardest one's peak; or places among the strokes, 0 to 1
     are_levels_known: bool  #: which of the two
     noise: Tuple[Tuple[Array, ...], ...]  #: of each stroke at each microphone, as by `noise_of`
     labels: Tuple[Tuple[int, int], ...]  #: of the modes whose partials are described
@@ -45,8 +47,15 @@ class Plan(NamedTuple):
         """Of the strokes [m/s]."""
         values = self.space.values(point)
         if self.are_levels_known:
-            return [values[SPEED] * part for part in self.loudness]
-        return [values[SPEED] * values[SPEED_RANGE] ** (place - 1) for place in self.loudness]
+            return [values[SPEED] * part ** values.get(SPEED_POWER, 1.0) for part in self.loudness]
+        return [values[SPEED] * values.get(SPEED_RANGE, 1.0) ** (place - 1) for place in self.loudness]
+
+    def groups(self) -> NDArray[np.int64]:
+        """Of a description's elements: FREQUENCY, DECAY, LEVEL, or the window of a feature."""
+        count, strokes = len(self.labels), len(self.loudness)
+        levels = (strokes - 1) * len(self.mics) if self.are_levels_known else 0
+        return np.concatenate([np.repeat([FREQUENCY, DECAY, LEVEL], [count, count, levels]),
+                               np.tile([label.window for label in LABELS], strokes * len(self.mics))])
 
 
 def play(model: Model, speed: float, mics: Sequence[str]) -> Array:
@@ -73,6 +82,11 @@ def stroke_of(sound: Array, mics: Sequence[str], rate: float) -> Stroke:
     """A simulated sound of shape (microphones, frames), as if it were recorded."""
     rows = [from_stroke(row) for row in sound]
     return Stroke(tuple(Recording(mic, row, row[None], rate) for mic, row in zip(mics, rows)))
+
+
+def levels_of(peaks: Array, are_known: bool) -> Array:
+    """Levels of strokes relative to the last, the hardest one, of peaks of shape (strokes, microphones) [dB]."""
+    return np.asarray(20 * np.log10(peaks[:-1] / peaks[-1])).ravel() if are_known else np.empty(0)
 
 
 def with_noise(sound: Array, noise: Sequence[Array], rate: float, random: np.random.Generator) -> Array:
@@ -141,17 +155,19 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
     Returns
     -------
     ndarray of float64, shape (elements,)
-        Of partials, as by `describe_partials`, then of each stroke, as by `described`.
+        Of partials, as by `describe_partials`, of levels, as by `levels_of`, and of each stroke, as by `described`.
     """
     random = np.random.default_rng(seed)
     drum = plan.space.definition(point)
     if drum.has_room and not drum["room.size"]:
         drum["room.size"] = random.uniform(*ROOM_SIZES)
     model = Model(drum, plan.rate, plan.quality)
-    strokes = []
+    strokes, peaks = [], []
     for speed, noise in zip(plan.speeds(point), plan.noise):
-        sound = with_noise(play(model, speed, plan.mics), noise, plan.rate, random)
-        strokes.append(stroke_of(sound, plan.mics, plan.rate))
+        sound = play(model, speed, plan.mics)
+        peaks.append(np.abs(sound).max(axis=1))
+        strokes.append(stroke_of(with_noise(sound, noise, plan.rate, random), plan.mics, plan.rate))
     modes = modes_of(model, float(drum["strike.radius"]), TOP)
-    description = np.concatenate([describe_partials(plan, strokes, modes), *[described(stroke) for stroke in strokes]])
+    description = np.concatenate([describe_partials(plan, strokes, modes), levels_of(np.array(peaks), plan.are_levels_known),
+                                  *[described(stroke) for stroke in strokes]])
     return np.round(description, DIGITS)

@@ -251,13 +251,20 @@ def fit_partials(space: Space, partials: Partials) -> ModalFit:
     Raises
     ------
     Error
-        Half of the partials fit no mode of such a drum.
+        Half of the partials fit no mode of such a drum, and no wires lie on it.
     """
     search = _Search(space, partials)
     fit = search.run()
     lost = np.array([label is None for label in fit.labels])
-    if np.sum(search.weight[lost]) > _MOST_LOST * np.sum(search.weight):
-        some = ", ".join(f"{one:.0f}" for one in partials.frequency[lost][:4])
-        raise Error(f"the partials at {some} Hz belong to no drum like '{space.base['drum.name']}': is it of these dimensions, "
-                    "and is it the only one that sounds?")
-    return fit
+    if np.sum(search.weight[lost]) <= _MOST_LOST * np.sum(search.weight):
+        return fit
+    if space.base["wires.count"] and space.base["wires.strainer"]:
+        return _unknown(space, fit)
+    some = ", ".join(f"{one:.0f}" for one in partials.frequency[lost][:4])
+    raise Error(f"the partials at {some} Hz belong to no drum like '{space.base['drum.name']}': is it of these dimensions, "
+                "and is it the only one that sounds?")
+
+
+def _unknown(space: Space, fit: ModalFit) -> ModalFit:
+    """Wires rattle at all frequencies: where their noise hides the modes, partials say nothing."""
+    return ModalFit(0.5 * (space.low + space.high), np.diag((space.high - space.low) ** 2 / 12), (None,) * len(fit.labels), fit.modes)

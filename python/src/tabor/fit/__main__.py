@@ -19,6 +19,9 @@ from .report import make_report
 from .request import read_request
 
 
+_FAR = 5.0  # objective from which on the drum is doubtful
+
+
 def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
         prog="python -m tabor.fit", description="Find the drum of a recording: a preset, and its parameters with 90 % intervals.",
@@ -77,6 +80,8 @@ def _print_text(found: Fit, differences: _Differences, files: Sequence[str]) -> 
     print("Partials of the recording [Hz], the model's beside them [cents], ratio of decay rates")
     for partial in differences.partials:
         print(f"  {partial.frequency:7.1f} {partial.cents:+6.0f} {partial.decay_ratio:6.2f}")
+    if found.objective > _FAR:
+        print("The model is far from the recordings: are size and heads right, and is it one drum alone that sounds?")
     print(f"Objective: {found.objective:.2f} (1: as far from the recordings as strokes of the same dynamics are from each other)")
     print(f"Written: {', '.join(files)}")
 

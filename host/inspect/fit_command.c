@@ -68,7 +68,7 @@ static const Option options[] = {
   {"output", 'o', "FOLDER", "where all is written (default: fit)"},
   {"jobs", 'j', "NUMBER", "threads (default: one for each processor)"},
   {"rounds", 0, "NUMBERS", "simulations of each round (default: 45,40,40)"},
-  {"generations", 0, "NUMBER", "of the search after them (default: 150; 0: no search)"},
+  {"generations", 0, "NUMBER", "of the search after them (default: 100; 0: no search)"},
   {"seed", 0, "NUMBER", "of all that is drawn (default: 1)"},
   {0},
 };

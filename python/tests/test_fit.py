@@ -14,7 +14,7 @@ from tabor.fit.features import BANDS, LABELS, features, make_noise, noise_of
 from tabor.fit.inference import infer
 from tabor.fit.journal import Journal
 from tabor.fit.modal_fit import fit_partials
-from tabor.fit.parameters import space_of
+from tabor.fit.parameters import space_of, unit_of
 from tabor.fit.partials import find_partials
 from tabor.fit.recordings import checked
 from tabor.fit.search import objective_of, search
@@ -148,6 +148,21 @@ def test_a_search_finds_the_lowest_place():
     assert found.objective == objective.of(slopes @ found.point)
 
 
+def test_strokes_are_sorted_from_soft_to_hard(tmp_path):
+    for name, sound in zip(("stroke-10", "stroke-2"), struck([1.5, 5.0])):
+        soundfile.write(tmp_path / f"{name}.wav", sound, RATE, subtype="FLOAT")
+    for normalized, first in ((False, "stroke-10"), (True, "stroke-2")):  # by their levels; by their names
+        (tmp_path / "drum.toml").write_text(REQUEST + f"[recording]\nnormalized = {str(normalized).lower()}\n")
+        names = [stroke.recordings[0].name for stroke in read_request(tmp_path / "drum.toml").strokes]
+        assert names[0].endswith(f"{first}.wav")
+
+
+def test_units_are_those_of_preset_files():
+    for key, unit in (("batter.tension", "N/m"), ("striker.stick.mass", "kg"), ("mic.top.height", "m"), ("room.level", ""),
+                      ("speed", "m/s"), ("batter.loss", "1/s"), ("batter.tension/batter.surface_density", "m2/s2")):
+        assert unit_of(key) == unit
+
+
 def test_a_journal_of_another_task_is_refused(tmp_path):
     path = str(tmp_path / "journal.jsonl")
     Journal(path, "one", 1).close()
@@ -179,6 +194,12 @@ def test_what_is_no_stroke_is_refused(sound, complaint):
 
 @pytest.mark.parametrize("line, complaint", [
     ("[drums]", "no table [drums]"),
+    ("[drum]\nname = \"my/tom\"", "drum.name = 'my/tom'"),
+    ("[known]\nroom.kind = \"studio\"", "the key in quotes"),
+    ("[known]\n\"batter.tension\" = 3000\n[range]\n\"batter.tension\" = [1, 2]", "one of them"),
+    ("[batter]\nmil = 10\ncoated = \"no\"", "batter.coated = 'no'"),
+    ("[recording]\nnormalized = \"false\"", "recording.normalized"),
+    ("[strokes]\ntop = [\"none.wav\"]", "no file"),
     ("[drum]\nsize = 3", "[drum] has no size"),
     ("[drum]\ndiameter = -8", "drum.diameter = -8"),
     ("[drum]\nsnares = \"on\"", "0 wires"),
@@ -194,7 +215,7 @@ def test_what_is_no_stroke_is_refused(sound, complaint):
 def test_a_wrong_request_is_refused_in_a_line(tmp_path, capsys, line, complaint):
     soundfile.write(tmp_path / "a.wav", struck([4.0])[0], RATE, subtype="FLOAT")
     (tmp_path / "drum.toml").write_text(line)
-    assert main([str(tmp_path / "drum.toml"), "-o", str(tmp_path / "out")]) == 1
+    assert main([str(tmp_path / "drum.toml"), "-o", str(tmp_path / "out")]) == 2
     said = capsys.readouterr().err
     assert complaint in said and said.count("\n") == 1
     assert not (tmp_path / "out").exists()

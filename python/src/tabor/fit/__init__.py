@@ -7,7 +7,13 @@ simulate recordings, with strikers, microphones, rooms and noise, and learn from
 packages of ``pip install tabor[fit]``. docs/fit.md in the source tree is the guide.
 """
 
-from .fitting import Estimate, Fit, Settings, first_stage, fit
-from .request import Request, read_request
+from importlib.util import find_spec
+
+_missing = [name for name in ("cmaes", "matplotlib", "scipy", "soundfile", "threadpoolctl") if find_spec(name) is None]
+if _missing:
+    raise ImportError(f"tabor.fit needs {', '.join(_missing)}: pip install 'tabor[fit]'")
+
+from .fitting import Estimate, Fit, Settings, first_stage, fit  # noqa: E402
+from .request import Request, read_request  # noqa: E402
 
 __all__ = ["Estimate", "Fit", "Request", "Settings", "first_stage", "fit", "read_request"]

@@ -5,33 +5,34 @@ from __future__ import annotations
 
 import argparse
 import csv
+import io
 import json
 import os
 import sys
-from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence
+from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple
 
 from .._library import Error
 from ..model import Model
 from ..takes import _processors
 from .comparison import PartialDifference, StrokeDifference, best_speed, partial_differences, stroke_differences
 from .fitting import Fit, Settings, fit
+from .parameters import unit_of
 from .report import make_report
-from .request import read_request
-
+from .request import Request, read_request
 
 _FAR = 5.0  # objective from which on the drum is doubtful
 
 
 def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(
-        prog="python -m tabor.fit", description="Find the drum of a recording: a preset, and its parameters with 90 % intervals.",
+        prog="tabor fit", description="Find the drum of a recording: a preset, and its parameters with 90 % intervals.",
         epilog="A fit that was ended goes on where it was when it is started again with the same folder.")
     parser.add_argument("request", help="a TOML file that names the recordings and says what is known of the drum")
     parser.add_argument("-o", "--output", metavar="FOLDER", default="fit", help="where all is written (default: fit)")
     parser.add_argument("-j", "--jobs", type=int, default=_processors(), help="threads (default: one for each processor)")
     parser.add_argument("--rounds", default="45,40,40", help="simulations of each round (default: 45,40,40)")
-    parser.add_argument("--generations", type=int, default=150,
-                        help="of the search where rounds do not follow the recording (default: 150; 0: no search)")
+    parser.add_argument("--generations", type=int, default=100,
+                        help="of the search where rounds do not follow the recording (default: 100; 0: no search)")
     parser.add_argument("--seed", type=int, default=1, help="of all that is drawn (default: 1)")
     parser.add_argument("--json", action="store_true", help="print facts as JSON on standard output")
     parser.add_argument("-q", "--quiet", action="store_true", help="print nothing but errors and warnings")
@@ -45,13 +46,21 @@ def _counts(text: str) -> List[int]:
     return counts
 
 
-def _write_table(path: str, found: Fit) -> None:
-    with open(path, "w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(["parameter", "value", "low", "high", "looked for from", "to", "determined"])
-        for one in found.estimates:
-            numbers = [f"{number:.5g}" for number in (one.value, one.low, one.high, one.least, one.most)]
-            table.writerow([one.key, *numbers, "yes" if one.determined else "no"])
+def _table(found: Fit) -> str:
+    text = io.StringIO()
+    table = csv.writer(text, lineterminator="\n")
+    table.writerow(["parameter", "value", "low", "high", "looked for from", "to", "determined", "unit"])
+    for one in found.estimates:
+        numbers = [f"{number:.5g}" for number in (one.value, one.low, one.high, one.least, one.most)]
+        table.writerow([one.key, *numbers, "yes" if one.determined else "no", unit_of(one.key)])
+    return text.getvalue()
+
+
+def _write(path: str, text: str) -> None:
+    """The file appears complete, or what was there stays."""
+    with open(f"{path}.part", "w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+    os.replace(f"{path}.part", path)
 
 
 class _Differences(NamedTuple):
@@ -72,7 +81,8 @@ def _compare(found: Fit, model: Model) -> _Differences:
 
 def _print_text(found: Fit, differences: _Differences, files: Sequence[str]) -> None:
     for one in found.estimates:
-        print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g}{'' if one.determined else '   not determined'}")
+        print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g} {unit_of(one.key)}"
+              f"{'' if one.determined else '   not determined'}")
     print("Third octaves beside the recording, root mean square [dB]: 0-50 ms, 50-200 ms")
     for strokes, kind in ((differences.fitted, "fitted"), (differences.predicted, "predicted")):
         for stroke in strokes:
@@ -97,23 +107,26 @@ def _print_json(found: Fit, differences: _Differences, files: Sequence[str]) -> 
                       "predicted": _rows(differences.predicted), "partials": _rows(differences.partials), "files": list(files)}))
 
 
-def _run(arguments: argparse.Namespace) -> None:
+def _read(arguments: argparse.Namespace) -> Tuple[Request, Settings]:
     counts = _counts(arguments.rounds)
     if arguments.jobs < 1:
         raise Error(f"--jobs {arguments.jobs}: allowed: 1 or more")
     if arguments.generations < 0:
         raise Error(f"--generations {arguments.generations}: allowed: 0 or more")
-    request = read_request(arguments.request)
     settings = Settings(tuple(counts), arguments.generations, arguments.jobs, arguments.seed)
+    return read_request(arguments.request), settings
+
+
+def _run(arguments: argparse.Namespace, request: Request, settings: Settings) -> None:
     say = (lambda text: None) if arguments.quiet else (lambda text: print(text, file=sys.stderr, flush=True))
     found = fit(request, arguments.output, settings, say)
     files = [os.path.join(arguments.output, name) for name in (f"{request.name}.ini", "parameters.csv", "report.html")]
-    found.definition.save(files[0])
-    _write_table(files[1], found)
     model = Model(found.definition, request.rate, "live")
     differences = _compare(found, model)
-    with open(files[2], "w", encoding="utf-8") as file:
-        file.write(make_report(found, model, *differences))
+    report = make_report(found, model, *differences)
+    found.definition.save(files[0])
+    _write(files[1], _table(found))
+    _write(files[2], report)
     if arguments.json:
         _print_json(found, differences, files)
     elif not arguments.quiet:
@@ -131,14 +144,17 @@ def main(given: Optional[List[str]] = None) -> int:
     Returns
     -------
     int
-        The exit status: 0, or 1 after an error, which is said in a line.
+        The exit status: 0; 2 if the request is wrong, 1 after another error, which is said in a line.
     """
     arguments = _arguments(given)
+    status = 2
     try:
-        _run(arguments)
+        request, settings = _read(arguments)
+        status = 1
+        _run(arguments, request, settings)
     except (Error, OSError) as wrong:
         print(f"tabor.fit: {wrong}", file=sys.stderr)
-        return 1
+        return status
     except KeyboardInterrupt:
         return 130
     return 0

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 import os
 from typing import Callable, Dict, List, NamedTuple, Sequence, Tuple
@@ -37,7 +38,7 @@ class Settings(NamedTuple):
     """How much is computed."""
 
     counts: Tuple[int, ...] = (45, 40, 40)  #: simulations of each round
-    generations: int = 150  #: of a search where rounds do not follow the recording; 0: none
+    generations: int = 100  #: of a search where rounds do not follow the recording; 0: none
     jobs: int = 1  #: threads
     seed: int = 1  #: of all that is drawn
     quality: str = "live"  #: of the simulations
@@ -122,7 +123,16 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     least = 2 * len(request.space.keys)
     if min(settings.counts) < least:
         raise Error(f"a round of {min(settings.counts)} simulations: {len(request.space.keys)} parameters take {least} or more")
-    partials, modal = first_stage(request)
+    try:
+        os.makedirs(folder, exist_ok=True)
+    except OSError as wrong:
+        raise Error(f"{folder}: {wrong.strerror}") from None
+    try:
+        partials, modal = first_stage(request)
+    except Error:
+        with contextlib.suppress(OSError):
+            os.rmdir(folder)  # if nothing is in it
+        raise
     # Last bits of linear algebra differ from run to run, and would draw other points.
     modal = modal._replace(point=modal.point.round(7), covariance=modal.covariance.round(9))
     say(f"{len(partials.frequency)} partials, {sum(label is not None for label in modal.labels)} of them modes")
@@ -136,7 +146,6 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     strokes = [request.strokes[index] for index in chosen]
     observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(_peaks(strokes), request.are_levels_known),
                                scatter.smooth[chosen].ravel()]).round(DIGITS)
-    os.makedirs(folder, exist_ok=True)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)
 
@@ -160,7 +169,9 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     finally:
         journal.close()
     every = plan._replace(loudness=tuple(loudness))
-    return Fit(request, partials, modal, scatter, posterior.surprise, apart, request.space.definition(point),
+    drum = request.space.definition(point)
+    drum["strike.velocity"] = every.speeds(point)[-1]
+    return Fit(request, partials, modal, scatter, posterior.surprise, apart, drum,
                _estimates(request.space, posterior.samples, point), tuple(every.speeds(point)))
 
 
@@ -200,6 +211,6 @@ def _estimates(space: Space, samples: Array, point: Array) -> Tuple[Estimate, ..
 
 
 def _task(request: Request, plan: Plan, observed: Array, settings: Settings) -> str:
-    known: Dict[str, object] = dict(request.space.base)
+    known = {key: value for key, value in dict(request.space.base).items() if not key.startswith("drum.")}
     return digest(version(), sorted(known.items()), request.space.keys, request.space.low, request.space.high, plan.loudness,
                   plan.labels, observed, settings.seed, settings.quality)

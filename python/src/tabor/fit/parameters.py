@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._library import Error
-from ..definition import Definition
+from ..definition import Definition, parameters
 
 Array = NDArray[np.float64]
 
@@ -143,3 +143,14 @@ def derived(base: Definition, values: Mapping[str, Union[float, Array]]) -> Dict
             found[f"{head}.loss"] = sum(values.get(f"{head}.damping_{name}", float(base[f"{head}.damping_{name}"])) * number**power
                                         for power, name in enumerate("0k1"))
     return found
+
+
+def unit_of(key: str) -> str:
+    """The unit of a key, or of what follows from several; "" of a pure number."""
+    units = {f"{row.section}.{row.key}": row.unit for row in parameters()}
+    parts = key.split(".")
+    section = f"{parts[0]}." if len(parts) > 2 else parts[0]  # striker.NAME.mass is of the section "striker."
+    others = {SPEED: "m/s", "batter.loss": "1/s", "resonant.loss": "1/s"}
+    if "/" in key:
+        return "m2/s2"
+    return others.get(key) or units.get(f"{section}.{parts[-1]}", "")

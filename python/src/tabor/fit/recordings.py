@@ -82,7 +82,9 @@ def checked(name: str, channels: Array, rate: float) -> Recording:
     if len(sound) < DURATION * rate:
         raise Error(f"{name}: it lasts {len(sound) / rate:.3g} s; a stroke of at least {DURATION} s is needed")
     peak = float(np.max(np.abs(sound)))
-    if not np.isfinite(peak) or peak < _LEAST_PEAK:
+    if not np.isfinite(peak):
+        raise Error(f"{name}: it holds numbers that are not finite")
+    if peak < _LEAST_PEAK:
         raise Error(f"{name}: there is no sound in it")
     run = max(_longest_run(channel) for channel in channels)
     if run >= _CLIPPED:

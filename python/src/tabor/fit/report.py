@@ -15,6 +15,7 @@ from ..model import Model
 from .comparison import PartialDifference, StrokeDifference, played_beside
 from .features import BANDS, WINDOWS, features
 from .fitting import Fit
+from .parameters import unit_of
 from .recordings import DURATION, Stroke
 
 Array = NDArray[np.float64]
@@ -164,9 +165,9 @@ def make_report(found: Fit, model: Model, fitted: Sequence[StrokeDifference], pr
     parts.append("<p>Objective: " f"{found.objective:.2f}; 1: the model is as far from the recordings as strokes of the same dynamics are "
                  "from each other.</p><h2>Parameters</h2><p>A parameter is determined if its 90 % interval is at most half as wide as the "
                  "range in which it was looked for.</p>")
-    parts.append(_table(("parameter", "value", "90 % interval", "looked for", ""), [
+    parts.append(_table(("parameter", "value", "90 % interval", "looked for", "unit", ""), [
         (one.key, f"{one.value:.4g}", f"{one.low:.4g} to {one.high:.4g}", f"{one.least:.4g} to {one.most:.4g}",
-         "" if one.determined else "not determined") for one in found.estimates]))
+         unit_of(one.key), "" if one.determined else "not determined") for one in found.estimates]))
     parts.append("<h2>Partials</h2><p>Of the recording, with the model's beside them.</p>")
     parts.append(_table(("frequency [Hz]", "decay [1/s]", "level [dB]", "model [cents]", "model's decay over it"), [
         (f"{one.frequency:.1f}", f"{one.decay_rate:.1f}", f"{one.level:.0f}", f"{one.cents:+.0f}", f"{one.decay_ratio:.2f}") for one in partials]))

@@ -6,8 +6,11 @@ from __future__ import annotations
 import glob
 import math
 import os
+import re
 import sys
 from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Tuple, Union
+
+import numpy as np
 
 from .._library import Error
 from ..definition import Definition
@@ -68,29 +71,53 @@ def _positive(path: str, name: str, value: Any) -> float:
     return float(value)
 
 
+def _truth(path: str, name: str, value: Any) -> bool:
+    if not isinstance(value, bool):
+        raise Error(f"{path}: {name} = {value!r}; allowed: true, false")
+    return value
+
+
+def _known(path: str, table: Mapping[str, Any], ranges: Mapping[str, Any]) -> Dict[str, Union[str, float]]:
+    for key, value in table.items():
+        if isinstance(value, bool) or not isinstance(value, (str, int, float)):
+            raise Error(f"{path}: [known] {key} = {value!r}; allowed: a number or a text, the key in quotes: \"room.kind\" = \"studio\"")
+        if key in ranges:
+            raise Error(f"{path}: {key} is in [known] and in [range]; allowed: one of them")
+    return dict(table)
+
+
 def _head(path: str, name: str, table: Mapping[str, Any]) -> Dict[str, float]:
     """Parameters of a head of so many plies, which slide on each other, each so thick."""
     if "mil" not in table:
         raise Error(f"{path}: [{name}] lacks mil, the thickness of a ply in thousandths of an inch")
     plies = _positive(path, f"{name}.plies", table.get("plies", 1))
     ply = _positive(path, f"{name}.mil", table["mil"]) * _MIL
-    coating = _COATING if table.get("coated", False) else 0.0
+    coating = _COATING if _truth(path, f"{name}.coated", table.get("coated", False)) else 0.0
     stiff = ply + coating / _FILM_DENSITY  # a coating is as stiff as film of its mass
     return {f"{name}.surface_density": plies * ply * _FILM_DENSITY + coating,
             f"{name}.bending_stiffness": ((plies - 1) * ply**3 + stiff**3) * _FILM_MODULUS / 12,
             f"{name}.stretch_stiffness": ((plies - 1) * ply + stiff) * _FILM_MODULUS}
 
 
+def _natural(name: str) -> List[Union[int, str]]:
+    """Sorts stroke-2 before stroke-10."""
+    return [int(part) if part.isdecimal() else part for part in re.split("([0-9]+)", name)]
+
+
 def _files(path: str, folder: str, table: str, mic: str, given: Union[str, Sequence[str]]) -> List[str]:
     """A list of files, or those that fit a pattern, in order of their names."""
     if isinstance(given, str):
-        found = sorted(glob.glob(os.path.join(folder, given)))
+        found = sorted(glob.glob(os.path.join(folder, given)), key=_natural)
         if not found:
             raise Error(f"{path}: [{table}] {mic} = {given!r}: there is no such file")
         return found
     if not isinstance(given, list) or not given or not all(isinstance(one, str) for one in given):
         raise Error(f"{path}: [{table}] {mic} = {given!r}; allowed: names of files in a list, or one with a * for several")
-    return [os.path.join(folder, one) for one in given]
+    found = [os.path.join(folder, one) for one in given]
+    for one in found:
+        if not os.path.exists(one):
+            raise Error(f"{path}: [{table}] {mic}: there is no file {one}")
+    return found
 
 
 def _strokes(path: str, folder: str, name: str, table: Mapping[str, Any], mics: Tuple[str, ...]) -> Tuple[Stroke, ...]:
@@ -117,9 +144,12 @@ def _base(path: str, drum: Mapping[str, Any], heads: Mapping[str, Mapping[str, A
     for key, name, part in (("diameter", "shell.radius", 0.5), ("depth", "shell.depth", 1.0)):
         if key in drum:
             base[name] = part * _INCH * _positive(path, f"drum.{key}", drum[key])
+    base["drum.comment"], base["drum.license"] = "Fitted to recordings", ""
     for key in ("name", "comment", "license"):
         if key in drum:
             base[f"drum.{key}"] = str(drum[key])
+    if not re.fullmatch(r"[\w.-]+", str(base["drum.name"])) or str(base["drum.name"]).startswith("."):
+        raise Error(f"{path}: drum.name = {str(base['drum.name'])!r}, of which a file's name is made; allowed: letters, digits, - and _")
     for head, table in heads.items():
         if table:
             base.update(_head(path, head, table))
@@ -158,14 +188,16 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
         with open(path, "rb") as file:
             read = tomllib.load(file)
     except (OSError, ValueError) as wrong:
-        raise Error(f"{name}: {getattr(wrong, 'strerror', None) or wrong}") from None
+        raise Error(f"{name}: {getattr(wrong, 'strerror', None) or wrong}" if not isinstance(wrong, UnicodeDecodeError)
+                    else f"{name} is no text in UTF-8") from None
     for table in read:
         if table not in _TABLES:
             raise Error(f"{name}: there is no table [{table}]; allowed: {', '.join(_TABLES)}")
     tables = {table: _table(read, name, table) for table in _TABLES}
     base = _base(name, tables["drum"], {head: tables[head] for head in ("batter", "resonant")})
-    base.update(tables["known"])
-    normalized = bool(tables["recording"].get("normalized", False))
+    known = _known(name, tables["known"], tables["range"])
+    base.update(known)
+    normalized = _truth(name, "recording.normalized", tables["recording"].get("normalized", False))
     mics = tuple(tables["strokes"])
     if not mics:
         raise Error(f"{name}: [strokes] names no recordings; needed: a microphone and its files, top = \"stroke-*.wav\"")
@@ -174,7 +206,9 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
             raise Error(f"{name}: [strokes] {mic}: the drum has no such microphone; it has {', '.join(base.mics)}")
     strokes = _strokes(name, folder, "strokes", tables["strokes"], mics)
     kept = _strokes(name, folder, "predict", tables["predict"], mics)
-    space = space_of(base, tables["known"], _ranges(name, tables["range"]), len(strokes), not normalized)
+    if not normalized:
+        strokes = tuple(sorted(strokes, key=lambda stroke: float(np.abs(stroke.recordings[0].sound).max())))
+    space = space_of(base, known, _ranges(name, tables["range"]), len(strokes), not normalized)
     rates = {one.rate: one.name for stroke in (*strokes, *kept) for one in stroke.recordings}
     if len(rates) > 1:
         raise Error(f"{name}: the files have different sample rates: {', '.join(f'{file} {rate:g} Hz' for rate, file in rates.items())}")

@@ -127,7 +127,7 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
         new_costs = [objective.of(simulated) for simulated in seen]
         strategy.tell(list(zip(places, new_costs)))
         points, vectors, costs = points + new, vectors + seen, costs + new_costs
-        if generation % _SPOKEN == _SPOKEN - 1:
+        if generation % _SPOKEN == 0 or generation == generations - 1:
             say(f"search, generation {generation + 1} of {generations}: objective {min(costs):.2f}")
     best = int(np.argmin(costs))
     return Found(points[best], costs[best], np.array(points), np.array(vectors))

@@ -16,7 +16,7 @@ from tabor.fit.journal import Journal
 from tabor.fit.modal_fit import fit_partials
 from tabor.fit.parameters import space_of, unit_of
 from tabor.fit.partials import find_partials
-from tabor.fit.recordings import checked
+from tabor.fit.recordings import checked, from_stroke
 from tabor.fit.search import objective_of, search
 from tabor.fit.simulation import Plan
 
@@ -155,6 +155,14 @@ def test_strokes_are_sorted_from_soft_to_hard(tmp_path):
         (tmp_path / "drum.toml").write_text(REQUEST + f"[recording]\nnormalized = {str(normalized).lower()}\n")
         names = [stroke.recordings[0].name for stroke in read_request(tmp_path / "drum.toml").strokes]
         assert names[0].endswith(f"{first}.wav")
+
+
+def test_noise_before_a_stroke_is_not_its_onset():
+    sound = struck([4.0])[0]
+    noisy = sound + 0.01 * np.abs(sound).max() * np.random.default_rng(5).standard_normal(len(sound))
+    assert np.argmax(np.abs(noisy) > 0.03 * np.abs(noisy).max()) < 0.015 * RATE  # a click of the noise is above 3 %
+    begins = [len(one) - len(from_stroke(one, RATE)) for one in (sound, noisy)]
+    assert begins[0] > 0.02 * RATE and abs(begins[0] - begins[1]) < 0.0005 * RATE
 
 
 def test_units_are_those_of_preset_files():

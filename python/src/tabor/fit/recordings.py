@@ -17,6 +17,7 @@ DURATION = 0.65  # of a stroke that is looked at [s]
 _LEAST_PEAK = 1e-4  # of full scale
 _CLIPPED = 4  # samples in a row at the largest value
 _ONSET = 0.03  # of the peak
+_RISING = 0.001  # [s]
 _PIECE = 0.05  # of the envelope [s]
 _RISE = 8.0  # by which the envelope rises again where something else is struck [dB]
 
@@ -36,10 +37,14 @@ class Stroke(NamedTuple):
     recordings: Tuple[Recording, ...]  #: in the order of the microphones
 
 
-def from_stroke(sound: Array) -> Array:
-    """The sound from the first sample above 3 % of the peak."""
+def from_stroke(sound: Array, rate: float) -> Array:
+    """The sound from the first sample above 3 % of the peak that is no click of the noise: the next millisecond is as loud."""
     size = np.abs(sound)
-    return sound[int(np.argmax(size > _ONSET * size.max())):]
+    level = _ONSET * size.max()
+    count = max(1, round(_RISING * rate))
+    energy = np.concatenate(([0.0], np.cumsum(sound**2), np.full(count, np.sum(sound**2))))
+    loud = energy[count:count + len(sound)] - energy[:len(sound)] >= count * level**2
+    return sound[int(np.argmax(loud & (size > level))):]
 
 
 def _envelope(sound: Array, rate: float) -> Array:
@@ -89,7 +94,7 @@ def checked(name: str, channels: Array, rate: float) -> Recording:
     run = max(_longest_run(channel) for channel in channels)
     if run >= _CLIPPED:
         raise Error(f"{name}: it is clipped: {run} samples in a row are at its peak")
-    struck = from_stroke(sound)
+    struck = from_stroke(sound, rate)
     if len(struck) < DURATION * rate:
         raise Error(f"{name}: its stroke comes {len(struck) / rate:.3g} s before its end; {DURATION} s are needed")
     level = _envelope(struck, rate)

@@ -80,7 +80,7 @@ def play(model: Model, speed: float, mics: Sequence[str]) -> Array:
 
 def stroke_of(sound: Array, mics: Sequence[str], rate: float) -> Stroke:
     """A simulated sound of shape (microphones, frames), as if it were recorded."""
-    rows = [from_stroke(row) for row in sound]
+    rows = [from_stroke(row, rate) for row in sound]
     return Stroke(tuple(Recording(mic, row, row[None], rate) for mic, row in zip(mics, rows)))
 
 

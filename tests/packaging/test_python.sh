@@ -16,6 +16,14 @@ quietly "$python" -W error -W ignore:::pyparsing -m pytest -q -c "$SOURCE/pyproj
 grep -E '^[0-9]+ passed' log
 if grep -q skipped log; then complain "$(cat log)"; fi
 
+# A drum that is simulated and fitted; what was found is used again.
+recovered() { quietly "$python" "$SOURCE/tools/recover-drums" "$scratch/drums" --toms 1 --snares 0 --rounds 30; }
+recovered
+grep -q '^batter.tension .* determined$' log || complain "$(cat log)"
+stat -c %y drums/tom-0/result.json >before
+recovered
+stat -c %y drums/tom-0/result.json | cmp -s - before || complain "a drum was fitted again"
+
 has_python_tools || { skip_part "the archive of sources: $no_python_tools"; exit 0; }
 make_sdist "$scratch"
 mkdir archive && tar -xzf tabor-*.tar.gz --strip-components 1 -C archive

@@ -42,6 +42,7 @@ asks_for "python3-numpy python3-matplotlib" bench
 for tool in make-reference.py radiation_reference.py; do asks_for "python3-numpy python3-scipy" $tool; done
 asks_for "$sounds python3-soundfile" compare-recordings
 asks_for "python3-numpy python3-scipy python3-soundfile" compare-takes
+asks_for "python3-numpy python3-scipy python3-soundfile python3-cmaes python3-matplotlib python3-threadpoolctl" recover-drums drums
 for tool in render-examples rudiments docs/{compare-qualities,make-playing,make-validation,room-picture}; do
   asks_for "$sounds" $tool
 done

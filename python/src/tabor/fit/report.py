@@ -6,6 +6,7 @@ from __future__ import annotations
 import base64
 import html
 import io
+import os
 from typing import Any, List, Sequence, Tuple
 
 import numpy as np
@@ -29,7 +30,7 @@ _STYLE = """
 body { font: 16px/1.5 sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
 h1, h2, h3 { line-height: 1.2 } table { border-collapse: collapse; margin: 1rem 0 } img { max-width: 100% }
 th, td { padding: .2rem .8rem .2rem 0; text-align: right; border-bottom: 1px solid #ddd }
-th:first-child, td:first-child { text-align: left } .no { color: #777 } audio { height: 2rem; vertical-align: middle }
+th:first-child, td:first-child { text-align: left } td { white-space: nowrap } .no { color: #777 } audio { height: 2rem; vertical-align: middle }
 """
 
 
@@ -127,7 +128,7 @@ def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 def _stroke(found: Fit, model: Model, stroke: Stroke, difference: Sequence[StrokeDifference], kind: str) -> List[str]:
     speed = difference[0].speed
     modelled = played_beside(model, found.request.mics, speed, stroke)
-    parts = [f"<h3>{html.escape(stroke.recordings[0].name)}</h3><p>{kind}, at {speed:.2f} m/s</p>"]
+    parts = [f"<h3>{html.escape(os.path.basename(stroke.recordings[0].name))}</h3><p>{kind}, at {speed:.2f} m/s</p>"]
     for mic, one, two, apart in zip(found.request.mics, stroke.recordings, modelled.recordings, difference):
         parts.append(f"<p>{html.escape(mic)}: third octaves differ by {apart.early:.1f} dB from 0 to 50 ms, by {apart.late:.1f} dB from "
                      f"50 to 200 ms. {_player(one.sound, one.rate, 'recording')} {_player(two.sound, two.rate, 'model')}</p>")

@@ -10,13 +10,14 @@ import soundfile
 import tabor
 from tabor.fit import Settings, fit, read_request
 from tabor.fit.__main__ import main
+from tabor.fit.comparison import best_speed
 from tabor.fit.features import BANDS, LABELS, features, make_noise, noise_of
 from tabor.fit.inference import infer
 from tabor.fit.journal import Journal
 from tabor.fit.modal_fit import fit_partials
 from tabor.fit.parameters import space_of, unit_of
 from tabor.fit.partials import find_partials
-from tabor.fit.recordings import checked, from_stroke
+from tabor.fit.recordings import Stroke, checked, from_stroke
 from tabor.fit.search import objective_of, search
 from tabor.fit.simulation import Plan
 
@@ -163,6 +164,13 @@ def test_noise_before_a_stroke_is_not_its_onset():
     assert np.argmax(np.abs(noisy) > 0.03 * np.abs(noisy).max()) < 0.015 * RATE  # a click of the noise is above 3 %
     begins = [len(one) - len(from_stroke(one, RATE)) for one in (sound, noisy)]
     assert begins[0] > 0.02 * RATE and abs(begins[0] - begins[1]) < 0.0005 * RATE
+
+
+def test_a_speed_is_found_by_spectrum_and_level(recorded):
+    model = tabor.Model(tabor.Definition("tom-10", {**BASE, **TRUTH}), RATE)
+    strokes = [Stroke((one,)) for one in recorded]
+    for hardest in (None, (strokes[2], 5.0)):
+        assert best_speed(model, ["top"], strokes[1], hardest) == pytest.approx(2.2, rel=0.1)
 
 
 def test_units_are_those_of_preset_files():

@@ -73,7 +73,8 @@ class _Differences(NamedTuple):
 
 def _compare(found: Fit, model: Model) -> _Differences:
     request = found.request
-    kept = [best_speed(model, request.mics, stroke) for stroke in request.kept]
+    hardest = (request.strokes[-1], found.speeds[-1]) if request.are_levels_known else None
+    kept = [best_speed(model, request.mics, stroke, hardest) for stroke in request.kept]
     return _Differences(stroke_differences(model, request.mics, request.strokes, found.speeds),
                         stroke_differences(model, request.mics, request.kept, kept),
                         partial_differences(model, request.mics, request.strokes, found.speeds))

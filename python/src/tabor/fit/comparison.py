@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import List, NamedTuple, Sequence, Tuple
+from typing import List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,7 +13,7 @@ from ..model import Model
 from .features import BANDS, described, features, noises_of
 from .partials import find_partials
 from .recordings import Stroke
-from .simulation import play, stroke_of, with_noise
+from .simulation import levels_of, play, stroke_of, with_noise
 
 Array = NDArray[np.float64]
 
@@ -66,10 +66,38 @@ def played_beside(model: Model, mics: Sequence[str], speed: float, recorded: Str
     return stroke_of(sound, mics, model.sample_rate)
 
 
-def best_speed(model: Model, mics: Sequence[str], recorded: Stroke) -> float:
-    """The speed whose stroke is nearest to a recording [m/s]."""
+def best_speed(model: Model, mics: Sequence[str], recorded: Stroke, hardest: Optional[Tuple[Stroke, float]] = None) -> float:
+    """The speed whose stroke is nearest to a recording.
+
+    Parameters
+    ----------
+    model : Model
+        The drum.
+    mics : sequence of str
+        Names of the microphones.
+    recorded : Stroke
+        The recording.
+    hardest : (Stroke, float), optional
+        A recording and its speed, beside whose level that of the recording counts, too, if levels are known.
+
+    Returns
+    -------
+    float
+        The speed [m/s].
+    """
     wanted = described(recorded)
-    costs = [float(np.mean((wanted - described(played_beside(model, mics, float(speed), recorded))) ** 2)) for speed in _SPEEDS]
+    level = np.zeros(0) if hardest is None else levels_of(np.array([recorded.peaks(), hardest[0].peaks()]), True)
+    peaks = None if hardest is None else np.abs(play(model, hardest[1], mics)).max(axis=1)
+
+    def cost(speed: float) -> float:
+        stroke = played_beside(model, mics, speed, recorded)
+        apart = float(np.mean((wanted - described(stroke)) ** 2))
+        if peaks is None:
+            return apart
+        own = np.abs(play(model, speed, mics)).max(axis=1)
+        return apart + float(np.mean((level - levels_of(np.array([own, peaks]), True)) ** 2))
+
+    costs = [cost(float(speed)) for speed in _SPEEDS]
     place = int(np.clip(np.argmin(costs), 1, len(_SPEEDS) - 2))
     # The lowest point of a parabola in the logarithm of the speed.
     before, here, after = costs[place - 1:place + 2]

@@ -73,11 +73,7 @@ def loudness_of(strokes: Sequence[Stroke], are_levels_known: bool) -> List[float
     """Parts of the hardest stroke's peak; or places among the strokes, 0 to 1."""
     if not are_levels_known:
         return list(np.linspace(0.0, 1.0, len(strokes))) if len(strokes) > 1 else [1.0]
-    return [float(peak) for peak in _peaks(strokes)[:, 0] / _peaks(strokes)[-1, 0]]
-
-
-def _peaks(strokes: Sequence[Stroke]) -> Array:
-    return np.array([[np.abs(one.sound).max() for one in stroke.recordings] for stroke in strokes])
+    return [float(stroke.peaks()[0] / strokes[-1].peaks()[0]) for stroke in strokes]
 
 
 def _chosen(count: int) -> List[int]:
@@ -144,7 +140,7 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
     strokes = [request.strokes[index] for index in chosen]
-    observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(_peaks(strokes), request.are_levels_known),
+    observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(np.array([stroke.peaks() for stroke in strokes]), request.are_levels_known),
                                scatter.smooth[chosen].ravel()]).round(DIGITS)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)

@@ -36,6 +36,10 @@ class Stroke(NamedTuple):
 
     recordings: Tuple[Recording, ...]  #: in the order of the microphones
 
+    def peaks(self) -> Array:
+        """The largest size at each microphone."""
+        return np.array([np.abs(one.sound).max() for one in self.recordings])
+
 
 def from_stroke(sound: Array, rate: float) -> Array:
     """The sound from the first sample above 3 % of the peak that is no click of the noise: the next millisecond is as loud."""

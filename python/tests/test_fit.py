@@ -2,6 +2,8 @@
 """Fitting recorded drums. The recordings here are simulated, so that the truth is known."""
 
 import json
+import re
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -171,6 +173,22 @@ def test_a_speed_is_found_by_spectrum_and_level(recorded):
     strokes = [Stroke((one,)) for one in recorded]
     for hardest in (None, (strokes[2], 5.0)):
         assert best_speed(model, ["top"], strokes[1], hardest) == pytest.approx(2.2, rel=0.1)
+
+
+EXAMPLES = sorted((Path(__file__).parents[2] / "examples/fit").glob("*.toml"))
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda path: path.stem)
+def test_a_request_of_the_examples_is_right(example, tmp_path):
+    text = example.read_text()
+    sound = 0.5 * struck([4.0])[0] / np.abs(struck([4.0])[0]).max()
+    names = [name.replace("*", "01") for name in re.findall(r'"([^"]*\.flac)"', text)]
+    for name in names:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        soundfile.write(tmp_path / name, sound, RATE, subtype="PCM_24")
+    (tmp_path / example.name).write_text(text)
+    request = read_request(tmp_path / example.name)
+    assert (len(request.strokes) + len(request.kept)) * len(request.mics) == len(names)
 
 
 def test_units_are_those_of_preset_files():

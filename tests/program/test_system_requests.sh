@@ -11,7 +11,7 @@ echo precious >a.wav
 
 refused "no command"
 refused "unknown command 'rendr'; did you mean 'render'" rendr
-refused "unknown command 'zzzzzzzz'; there are: render, library, play, presets, show, modes, bench, analyze, devices$" zzzzzzzz
+refused "unknown command 'zzzzzzzz'; there are: render, library, play, presets, show, modes, bench, analyze, devices, fit$" zzzzzzzz
 refused "unknown command ''; there are: render" ''
 refused "unknown command 'hlep'" hlep
 refused "unknown command 'rendr'; did you mean 'render'" help rendr

@@ -62,8 +62,11 @@ def played(model: Model, mics: Sequence[str], speed: float) -> Stroke:
 
 def played_beside(model: Model, mics: Sequence[str], speed: float, recorded: Stroke) -> Stroke:
     """A stroke of the model with the noise of a recording, which is what is left of its treble in the end."""
-    sound = with_noise(play(model, speed, mics), noises_of(recorded), model.sample_rate, np.random.default_rng(1))
-    return stroke_of(sound, mics, model.sample_rate)
+    return _beside(play(model, speed, mics), model.sample_rate, mics, recorded)
+
+
+def _beside(sound: Array, rate: float, mics: Sequence[str], recorded: Stroke) -> Stroke:
+    return stroke_of(with_noise(sound, noises_of(recorded), rate, np.random.default_rng(1)), mics, rate)
 
 
 def best_speed(model: Model, mics: Sequence[str], recorded: Stroke, hardest: Optional[Tuple[Stroke, float]] = None) -> float:
@@ -90,12 +93,11 @@ def best_speed(model: Model, mics: Sequence[str], recorded: Stroke, hardest: Opt
     peaks = None if hardest is None else np.abs(play(model, hardest[1], mics)).max(axis=1)
 
     def cost(speed: float) -> float:
-        stroke = played_beside(model, mics, speed, recorded)
-        apart = float(np.mean((wanted - described(stroke)) ** 2))
+        sound = play(model, speed, mics)
+        apart = float(np.mean((wanted - described(_beside(sound, model.sample_rate, mics, recorded))) ** 2))
         if peaks is None:
             return apart
-        own = np.abs(play(model, speed, mics)).max(axis=1)
-        return apart + float(np.mean((level - levels_of(np.array([own, peaks]), True)) ** 2))
+        return apart + float(np.mean((level - levels_of(np.array([np.abs(sound).max(axis=1), peaks]), True)) ** 2))
 
     costs = [cost(float(speed)) for speed in _SPEEDS]
     place = int(np.clip(np.argmin(costs), 1, len(_SPEEDS) - 2))

@@ -50,8 +50,8 @@ def _faded(sound: Array, rate: float, window: Tuple[float, float]) -> Array:
     return piece
 
 
-def _energies(piece: Array, rate: float, middles: Tuple[float, ...], width: float) -> List[float]:
-    """Sums of squares in bands, each `width` octaves wide."""
+def energies(piece: Array, rate: float, middles: Tuple[float, ...], width: float) -> List[float]:
+    """Sums of squares of a sound in bands around `middles` [Hz], each `width` octaves wide."""
     size = 2 ** int(np.ceil(np.log2(len(piece) + 1)))
     power = 2 * np.abs(np.fft.rfft(piece, size)) ** 2 / size
     step = 0.5 * rate / (len(power) - 1)
@@ -80,7 +80,7 @@ def noise_of(sound: Array, rate: float) -> Array:
     """
     last = min(len(sound), round(_NOISE[1] * rate))
     piece = sound[last - round(_NOISE[0] * rate):last] / np.abs(sound).max()
-    power = np.array(_energies(piece * np.hanning(len(piece)), rate, BANDS, 1 / 3)) / (0.375 * len(piece))  # Hann's window
+    power = np.array(energies(piece * np.hanning(len(piece)), rate, BANDS, 1 / 3)) / (0.375 * len(piece))  # Hann's window
     return np.asarray(power / (np.array(BANDS) * (2 ** (1 / 6) - 2 ** (-1 / 6))))
 
 
@@ -138,8 +138,8 @@ def features(sound: Array, rate: float) -> Array:
 def _levels(sound: Array, rate: float) -> List[float]:
     levels: List[float] = []
     for window in WINDOWS:
-        levels += _energies(_faded(sound, rate, window), rate, BANDS, 1 / 3)
-    return levels + _energies(_faded(sound, rate, CLICK), rate, _CLICK_BANDS, 1.0)
+        levels += energies(_faded(sound, rate, window), rate, BANDS, 1 / 3)
+    return levels + energies(_faded(sound, rate, CLICK), rate, _CLICK_BANDS, 1.0)
 
 
 def described(stroke: Stroke) -> Array:

@@ -15,17 +15,17 @@ from threadpoolctl import threadpool_limits  # type: ignore[import-untyped,impor
 from .._library import Error, version
 from ..definition import Definition
 from .features import noises_of
+from .inference import Posterior, infer
 from .journal import Journal, digest
 from .modal_fit import ModalFit, fit_partials
 from .partials import Partials, find_partials
 from .parameters import Space, derived
 from .recordings import Stroke
 from .request import Request
-from .inference import Posterior, infer
 from .rounds import run_rounds
 from .scatter import Scatter, scatter_of
-from .search import Describe, Objective, objective_of, search
-from .simulation import DIGITS, Plan, describe_partials, levels_of, simulate
+from .search import Objective, objective_of, search
+from .simulation import DIGITS, Describe, Plan, describe_partials, levels_of, simulate
 
 Array = NDArray[np.float64]
 
@@ -68,6 +68,7 @@ class Fit(NamedTuple):
     definition: Definition
     estimates: Tuple[Estimate, ...]
     speeds: Tuple[float, ...]  #: of the request's strokes [m/s]
+
 
 def loudness_of(strokes: Sequence[Stroke], are_levels_known: bool) -> List[float]:
     """Parts of the hardest stroke's peak; or places among the strokes, 0 to 1."""
@@ -140,7 +141,8 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
     plan = Plan(request.space, request.rate, request.mics, tuple(loudness[index] for index in chosen),
                 request.are_levels_known, noise, labels, settings.quality)
     strokes = [request.strokes[index] for index in chosen]
-    observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(np.array([stroke.peaks() for stroke in strokes]), request.are_levels_known),
+    peaks = np.array([stroke.peaks() for stroke in strokes])
+    observed = np.concatenate([describe_partials(plan, strokes, modal.modes), levels_of(peaks, request.are_levels_known),
                                scatter.smooth[chosen].ravel()]).round(DIGITS)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..model import Model
 from .comparison import PartialDifference, StrokeDifference, played_beside
-from .features import BANDS, WINDOWS, features
+from .features import BANDS, WINDOWS, energies, features
 from .fitting import Fit
 from .parameters import unit_of
 from .recordings import DURATION, Stroke
@@ -30,7 +30,7 @@ _STYLE = """
 body { font: 16px/1.5 sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #222; background: #fff }
 h1, h2, h3 { line-height: 1.2 } table { border-collapse: collapse; margin: 1rem 0 } img { max-width: 100% }
 th, td { padding: .2rem .8rem .2rem 0; text-align: right; border-bottom: 1px solid #ddd }
-th:first-child, td:first-child { text-align: left } td { white-space: nowrap } .no { color: #777 } audio { height: 2rem; vertical-align: middle }
+th:first-child, td:first-child { text-align: left } td { white-space: nowrap } audio { height: 2rem; vertical-align: middle }
 """
 
 
@@ -54,12 +54,8 @@ def levels_over_time(sound: Array, rate: float) -> Array:
     part = sound[:round(DURATION * rate)]
     padded[size // 2:size // 2 + len(part)] = part
     pieces = np.lib.stride_tricks.sliding_window_view(padded, size)[::hop] * np.hanning(size)
-    fft = 2 ** int(np.ceil(np.log2(size)) + 1)
-    power = np.abs(np.fft.rfft(pieces, fft)) ** 2
-    below = np.concatenate([np.zeros((len(power), 1)), np.cumsum(power, axis=1)], axis=1)
-    edges = np.array(BANDS)[:, None] * [2 ** (-1 / 6), 2 ** (1 / 6)] * fft / rate + 0.5
-    lower, upper = (np.array([np.interp(edges[:, end], np.arange(below.shape[1]), row) for row in below]).T for end in (0, 1))
-    return np.asarray(10 * np.log10(upper - lower + 1e-20))
+    finer = np.pad(pieces, ((0, 0), (0, size)))  # lines lie twice as close
+    return np.asarray(10 * np.log10(np.array([energies(piece, rate, BANDS, 1 / 3) for piece in finer]).T + 1e-20))
 
 
 def _axes(rows: int, columns: int, height: float) -> Tuple[Any, Any]:
@@ -107,10 +103,11 @@ def _spectra(recorded: Stroke, modelled: Stroke) -> str:
     """Third octaves in the time windows."""
     figure, axes = _axes(len(recorded.recordings), len(WINDOWS), 2.8 * len(recorded.recordings))
     for row, one, two in zip(axes, recorded.recordings, modelled.recordings):
+        levels, modelled_levels = features(one.channels, one.rate), features(two.channels, two.rate)
         for index, (axis, (first, last)) in enumerate(zip(row, WINDOWS)):
             bands = slice(index * len(BANDS), (index + 1) * len(BANDS))
-            axis.semilogx(BANDS, features(one.channels, one.rate)[bands], "k.-", label="recording")
-            axis.semilogx(BANDS, features(two.channels, two.rate)[bands], "C1.-", label="model")
+            axis.semilogx(BANDS, levels[bands], "k.-", label="recording")
+            axis.semilogx(BANDS, modelled_levels[bands], "C1.-", label="model")
             axis.set_title(f"{1000 * first:.0f} to {1000 * last:.0f} ms")
             axis.set_xlabel("third octave [Hz]")
             axis.grid(alpha=0.3)
@@ -163,7 +160,7 @@ def make_report(found: Fit, model: Model, fitted: Sequence[StrokeDifference], pr
     for key in ("comment", "license"):
         if found.definition[f"drum.{key}"]:
             parts.append(f"<p>{html.escape(str(found.definition[f'drum.{key}']))}</p>")
-    parts.append("<p>Objective: " f"{found.objective:.2f}; 1: the model is as far from the recordings as strokes of the same dynamics are "
+    parts.append(f"<p>Objective: {found.objective:.2f}; 1: the model is as far from the recordings as strokes of the same dynamics are "
                  "from each other.</p><h2>Parameters</h2><p>A parameter is determined if its 90 % interval is at most half as wide as the "
                  "range in which it was looked for.</p>")
     parts.append(_table(("parameter", "value", "90 % interval", "looked for", "unit", ""), [

@@ -10,8 +10,6 @@ import re
 import sys
 from typing import Any, Dict, List, Mapping, NamedTuple, Sequence, Tuple, Union
 
-import numpy as np
-
 from .._library import Error
 from ..definition import Definition
 from .parameters import Space, space_of
@@ -187,9 +185,10 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
     try:
         with open(path, "rb") as file:
             read = tomllib.load(file)
+    except UnicodeDecodeError:
+        raise Error(f"{name} is no text in UTF-8") from None
     except (OSError, ValueError) as wrong:
-        raise Error(f"{name}: {getattr(wrong, 'strerror', None) or wrong}" if not isinstance(wrong, UnicodeDecodeError)
-                    else f"{name} is no text in UTF-8") from None
+        raise Error(f"{name}: {getattr(wrong, 'strerror', None) or wrong}") from None
     for table in read:
         if table not in _TABLES:
             raise Error(f"{name}: there is no table [{table}]; allowed: {', '.join(_TABLES)}")
@@ -207,7 +206,7 @@ def read_request(path: Union[str, os.PathLike[str]]) -> Request:
     strokes = _strokes(name, folder, "strokes", tables["strokes"], mics)
     kept = _strokes(name, folder, "predict", tables["predict"], mics)
     if not normalized:
-        strokes = tuple(sorted(strokes, key=lambda stroke: float(np.abs(stroke.recordings[0].sound).max())))
+        strokes = tuple(sorted(strokes, key=lambda stroke: float(stroke.peaks()[0])))
     space = space_of(base, known, _ranges(name, tables["range"]), len(strokes), not normalized)
     rates = {one.rate: one.name for stroke in (*strokes, *kept) for one in stroke.recordings}
     if len(rates) > 1:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Callable, List, Sequence
+from typing import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,11 +11,9 @@ from numpy.typing import NDArray
 from .inference import Posterior, infer
 from .modal_fit import ModalFit
 from .parameters import Space
+from .simulation import Describe
 
 Array = NDArray[np.float64]
-
-#: Describes simulated recordings of points; the second argument counts all simulations before them.
-Describe = Callable[[Sequence[Array], int], List[Array]]
 
 _WIDER = 1.5  # than what is known: where the next round simulates
 

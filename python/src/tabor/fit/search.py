@@ -18,12 +18,9 @@ from typing import Callable, List, NamedTuple, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from .simulation import DECAY, FREQUENCY, LEVEL
+from .simulation import DECAY, FREQUENCY, LEVEL, Describe
 
 Array = NDArray[np.float64]
-
-#: Describes simulated recordings of points; the second argument counts all simulations before them.
-Describe = Callable[[Sequence[Array], int], List[Array]]
 
 _FLOORS = {FREQUENCY: 10 / 1200 * np.log(2), DECAY: 0.1, LEVEL: 1.0}  # of partials, in logarithms; of strokes [dB]
 _LINEAR = 3.0  # floors from which on a difference counts along a line

@@ -8,7 +8,7 @@ NaN stands for what is missing.
 
 from __future__ import annotations
 
-from typing import List, NamedTuple, Optional, Sequence, Tuple
+from typing import Callable, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,9 @@ from .partials import Partials, find_partials
 from .recordings import DURATION, Recording, Stroke, from_stroke
 
 Array = NDArray[np.float64]
+
+#: Describes simulated recordings of points; the second argument counts all simulations before them.
+Describe = Callable[[Sequence[Array], int], List[Array]]
 
 _WIDTH = 0.02  # of frequencies that may belong together
 DIGITS = 6  # of a description: the last bits of linear algebra differ from run to run, and would draw other points

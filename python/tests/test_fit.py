@@ -151,6 +151,24 @@ def test_a_search_finds_the_lowest_place():
     assert found.objective == objective.of(slopes @ found.point)
 
 
+def test_a_search_follows_straight_lines():
+    random, count = np.random.default_rng(5), 20
+    low, high, truth = -np.ones(count), np.ones(count), random.uniform(-0.7, 0.7, count)
+    slopes = 10 * random.normal(size=(len(LABELS), count))
+    groups = Plan(None, RATE, ("top",), (1.0,), False, (), (), "draft").groups()
+    observed = slopes @ truth
+    observed[:5] += 100  # as no drum is; these draw the lowest place 0.06 away
+    objective = objective_of(observed, groups, np.full(len(LABELS), 2.0))
+
+    def describe(points, _):
+        simulated = np.array(points) @ slopes.T
+        simulated[:, -3:][random.uniform(size=(len(points), 3)) < 0.5] = np.nan
+        return list(simulated)
+
+    found = search(objective, np.zeros(count), np.full(count, 0.5), low, high, describe, 10, 1, lambda text: None)
+    np.testing.assert_allclose(found.point, truth, atol=0.1)  # without lines it is 0.5 to 0.7 away then
+
+
 def test_strokes_are_sorted_from_soft_to_hard(tmp_path):
     for name, sound in zip(("stroke-10", "stroke-2"), struck([1.5, 5.0])):
         soundfile.write(tmp_path / f"{name}.wav", sound, RATE, subtype="FLOAT")

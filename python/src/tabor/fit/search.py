@@ -9,11 +9,15 @@ the mean over frequencies, decays, levels of strokes, each time window and the c
 so that each of these groups counts alike, however many elements it has, and 1 means: as far apart as two strokes of the
 same dynamics are. The floor of a level is the scatter between strokes and between channels, at least 1 dB; of a partial,
 10 cents and 10 % of its decay; of a stroke's level, 1 dB. A partial that the model lacks counts as 3 floors.
+
+The objective is a sum of squares, which the strategy does not know: a straight line of each element through the last
+simulations has its lowest places near by, and these are injected into each generation [Hansen2011]. So they are taken if they
+are good, and cost little if elements are not straight there.
 """
 
 from __future__ import annotations
 
-from typing import Callable, List, NamedTuple, Sequence
+from typing import Callable, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +31,11 @@ _LINEAR = 3.0  # floors from which on a difference counts along a line
 _LEAST, _MOST = 0.02, 0.3  # of a range: how far the search looks at first
 _INSIDE = 0.02  # of a range: the search begins that far from limits
 _POPULATION = 2  # times the usual one, 4 + 3 ln(parameters): the objective is rugged where partials come and go
+_RECENT = 5  # simulations for each parameter, of the last ones, through which straight lines are laid
+_TRUSTED = (2.0, 1.0)  # standard deviations of these, as far as the lines are followed
+_ITERATIONS = 10  # in which Huber's weights settle
+_DOUBT = 0.1  # of so many simulations, that elements do not change: few tell little of slopes
+_LEAST_DAMPING = 1e-3  # of the mean curvature
 _SPOKEN = 10  # generations between lines that say how far it is
 
 
@@ -37,13 +46,17 @@ class Objective(NamedTuple):
     floor: Array  #: of each element
     weight: Array  #: of each element
 
+    def apart(self, simulated: Array) -> Array:
+        """How many floors the observed elements are above the simulated ones, shape (..., observed elements)."""
+        used = ~np.isnan(self.observed)
+        return np.asarray((self.observed[used] - simulated[..., used]) / self.floor[used])
+
     def of(self, simulated: Array) -> float:
         """The mean of rho."""
-        used = ~np.isnan(self.observed)
-        apart = np.abs((self.observed - simulated) / self.floor)[used]
+        apart = np.abs(self.apart(simulated))
         apart = np.where(np.isnan(apart), _LINEAR, apart)
         rho = np.where(apart < _LINEAR, apart**2, _LINEAR * (2 * apart - _LINEAR))
-        return float(np.average(rho, weights=self.weight[used]))
+        return float(np.average(rho, weights=self.weight[~np.isnan(self.observed)]))
 
 
 def objective_of(observed: Array, groups: NDArray[np.int64], floor: Array) -> Objective:
@@ -69,6 +82,44 @@ def objective_of(observed: Array, groups: NDArray[np.int64], floor: Array) -> Ob
     known = ~np.isnan(observed)
     weight = np.array([1 / max(1, int(np.count_nonzero(known & (groups == group)))) for group in groups])
     return Objective(observed, floors, weight)
+
+
+def _straight(objective: Objective, steps: Array, vectors: Array, best: int) -> Tuple[Array, Array]:
+    """A straight line of each element through the best simulation: how far it is there, and its slopes along the steps.
+
+    Near simulations count more. Where an element is missing, it counts as unchanged.
+    """
+    apart = objective.apart(vectors)
+    here, change = np.nan_to_num(apart[best]), np.nan_to_num(apart - apart[best])
+    near = 1 / (1 + np.mean(steps**2, axis=1))
+    square = (steps.T * near) @ steps + _DOUBT * np.mean(near) * np.eye(steps.shape[1])
+    return here, np.linalg.solve(square, (steps.T * near) @ change)
+
+
+def _lowest(objective: Objective, places: Array, vectors: Array, best: int) -> List[Array]:
+    """Where straight lines through simulations are lowest, as far from the best one as they are trusted."""
+    unit = places.std(axis=0) + 1e-9
+    here, slopes = _straight(objective, (places - places[best]) / unit, vectors, best)
+    weight = objective.weight[~np.isnan(objective.observed)]
+    found = []
+    for trusted in _TRUSTED:
+        step = np.zeros(len(unit))
+        for _ in range(_ITERATIONS):
+            size = np.abs(here + step @ slopes)
+            weighted = slopes * (weight * np.minimum(1.0, _LINEAR / np.maximum(size, 1e-9)))
+            step = _within(trusted, weighted @ slopes.T, -weighted @ here)
+        found.append(places[best] + unit * step)
+    return found
+
+
+def _within(trusted: float, curvature: Array, pull: Array) -> Array:
+    """The step to the lowest place of a parabola, damped until it is short enough (Levenberg and Marquardt's method)."""
+    damping = _LEAST_DAMPING * float(np.trace(curvature)) / len(pull) + 1e-12
+    step = np.linalg.solve(curvature + damping * np.eye(len(pull)), pull)
+    while np.linalg.norm(step) > trusted:
+        damping *= 2
+        step = np.linalg.solve(curvature + damping * np.eye(len(pull)), pull)
+    return np.asarray(step)
 
 
 class Found(NamedTuple):
@@ -114,16 +165,21 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
     size = _POPULATION * (4 + int(3 * np.log(len(low))))
     strategy = CMA(mean=np.clip((start - low) / width, _INSIDE, 1 - _INSIDE), sigma=sigma, cov=np.diag((scale / sigma) ** 2),
                    bounds=np.column_stack([np.zeros(len(low)), np.ones(len(low))]), seed=seed, population_size=size)
+    places: List[Array] = []
     points: List[Array] = []
     vectors: List[Array] = []
     costs: List[float] = []
+    recent = _RECENT * len(low)
     for generation in range(generations):
-        places = [strategy.ask() for _ in range(strategy.population_size)]
-        new = [(low + width * place).round(7) for place in places]
-        seen = describe(new, len(points))
+        new = [strategy.ask() for _ in range(strategy.population_size)]
+        if len(costs) >= 1.5 * len(low):
+            injected = _lowest(objective, np.array(places[-recent:]), np.array(vectors[-recent:]), int(np.argmin(costs[-recent:])))
+            new[:len(injected)] = [np.clip(place, 0, 1) for place in injected]
+        new_points = [(low + width * place).round(7) for place in new]
+        seen = describe(new_points, len(points))
         new_costs = [objective.of(simulated) for simulated in seen]
-        strategy.tell(list(zip(places, new_costs)))
-        points, vectors, costs = points + new, vectors + seen, costs + new_costs
+        strategy.tell(list(zip(new, new_costs)))
+        places, points, vectors, costs = places + new, points + new_points, vectors + seen, costs + new_costs
         if generation % _SPOKEN == 0 or generation == generations - 1:
             say(f"search, generation {generation + 1} of {generations}: objective {min(costs):.2f}")
     best = int(np.argmin(costs))

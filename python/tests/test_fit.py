@@ -11,8 +11,8 @@ import soundfile
 
 import tabor
 from tabor.fit import Settings, fit, read_request
-from tabor.fit.__main__ import main
-from tabor.fit.comparison import best_speed
+from tabor.fit.__main__ import _doubt, main
+from tabor.fit.comparison import best_speed, partial_differences
 from tabor.fit.features import BANDS, LABELS, features, make_noise, noise_of
 from tabor.fit.inference import infer
 from tabor.fit.journal import Journal
@@ -38,9 +38,9 @@ top = "stroke-*.wav"
 """
 
 
-def struck(speeds, seed=0, **changes):
+def struck(speeds, seed=0, preset="tom-10", **changes):
     random = np.random.default_rng(seed)
-    model = tabor.Model(tabor.Definition("tom-10", {**BASE, **TRUTH, **changes}), RATE)
+    model = tabor.Model(tabor.Definition(preset, {**BASE, **TRUTH, **changes}), RATE)
     sounds = [tabor.render(model, [tabor.strike(0.02, velocity=speed)], 1.2)[0].astype(float) for speed in speeds]
     return [sound + 3e-4 * np.abs(sound).max() * random.standard_normal(len(sound)) for sound in sounds]
 
@@ -242,6 +242,31 @@ def test_what_is_no_stroke_is_refused(sound, complaint):
     with pytest.raises(tabor.Error, match=complaint) as refused:
         checked("it.wav", sound[None], RATE)
     assert str(refused.value).startswith("it.wav: ") and "\n" not in str(refused.value)
+
+
+def at_once(one, other):
+    """Strokes on two drums, as loud as each other."""
+    return [a / np.abs(a).max() + b / np.abs(b).max() for a, b in zip(one, other)]
+
+
+def test_two_drums_at_once_are_refused_in_a_line(folder, capsys):
+    speeds = [1.5, 5.0]
+    for i, sound in enumerate(at_once(struck(speeds), struck(speeds, preset="floor-tom-16"))):
+        soundfile.write(folder / f"stroke-{i}.wav", sound, RATE, subtype="FLOAT")
+    assert main([str(folder / "drum.toml"), "-o", str(folder / "out"), "-q"]) == 1
+    said = capsys.readouterr().err
+    assert "is it the only one that sounds?" in said and said.count("\n") == 1
+    assert not (folder / "out").exists()
+
+
+def test_partials_of_another_drum_are_named():
+    speeds, model = [1.5, 5.0], tabor.Model(tabor.Definition("tom-10", {**BASE, **TRUTH}), RATE)
+    doubts = []
+    for sounds in (struck(speeds), at_once(struck(speeds), struck(speeds, preset="tom-12", **{"batter.tension": 900.0}))):
+        strokes = [Stroke((checked("both", sound[None], RATE),)) for sound in sounds]
+        doubts.append(_doubt(1.0, partial_differences(model, ["top"], strokes, speeds)))
+    assert doubts[0] == "" and "lacks the partials at" in doubts[1] and "one drum alone" in doubts[1]
+    assert "is far from the recordings" in _doubt(6.0, [])
 
 
 @pytest.mark.parametrize("line, complaint", [

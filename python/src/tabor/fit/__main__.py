@@ -7,6 +7,7 @@ import argparse
 import csv
 import io
 import json
+import math
 import os
 import sys
 from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tuple
@@ -21,6 +22,7 @@ from .report import make_report
 from .request import Request, read_request
 
 _FAR = 5.0  # objective from which on the drum is doubtful
+_LOUD = -10.0  # partials that the drum should have, below the strongest [dB]
 
 
 def _arguments(given: Optional[List[str]]) -> argparse.Namespace:
@@ -80,6 +82,15 @@ def _compare(found: Fit, model: Model) -> _Differences:
                         partial_differences(model, request.mics, request.strokes, found.speeds))
 
 
+def _doubt(objective: float, partials: Sequence[PartialDifference]) -> str:
+    """A line where the drum that was found is none of the recordings, empty elsewhere."""
+    lacking = [f"{one.frequency:.0f}" for one in partials if math.isnan(one.cents) and one.level > _LOUD]
+    if not lacking and objective <= _FAR:
+        return ""
+    said = f"lacks the partials at {', '.join(lacking)} Hz" if lacking else "is far from the recordings"
+    return f"The model {said}: are size and heads right, and is it one drum alone that sounds?"
+
+
 def _print_text(found: Fit, differences: _Differences, files: Sequence[str]) -> None:
     for one in found.estimates:
         print(f"{one.key:40s} {one.value:10.4g}   {one.low:.4g} to {one.high:.4g} {unit_of(one.key)}"
@@ -91,8 +102,8 @@ def _print_text(found: Fit, differences: _Differences, files: Sequence[str]) -> 
     print("Partials of the recording [Hz], the model's beside them [cents], ratio of decay rates")
     for partial in differences.partials:
         print(f"  {partial.frequency:7.1f} {partial.cents:+6.0f} {partial.decay_ratio:6.2f}")
-    if found.objective > _FAR:
-        print("The model is far from the recordings: are size and heads right, and is it one drum alone that sounds?")
+    if doubt := _doubt(found.objective, differences.partials):
+        print(doubt)
     print(f"Objective: {found.objective:.2f} (1: as far from the recordings as strokes of the same dynamics are from each other)")
     print(f"Written: {', '.join(files)}")
 

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 
 _NEAR = 0.04  # of frequencies of partials that may be the same
 _LEAST_LEVEL = -20.0  # of the recording's partials that are compared, below the strongest [dB]
+_COMPARED = [index for index, band in enumerate(BANDS) if band > 99]  # 100 Hz to 16 kHz, as elsewhere (docs/recordings.md)
 _SPEEDS = np.geomspace(0.5, 12.0, 25)  # among which one is looked for [m/s]
 
 
@@ -47,10 +48,10 @@ def _normalized(levels: Array) -> Array:
 
 
 def difference(recorded: Array, modelled: Array) -> Tuple[float, float]:
-    """Root mean square differences of third octaves in the first two windows [dB]."""
+    """Root mean square differences of third octaves from 100 Hz to 16 kHz in the first two windows [dB]."""
     found = []
     for window in range(2):
-        bands = slice(window * len(BANDS), (window + 1) * len(BANDS))
+        bands = np.array(_COMPARED) + window * len(BANDS)
         found.append(float(np.sqrt(np.mean((_normalized(recorded[bands]) - _normalized(modelled[bands])) ** 2))))
     return found[0], found[1]
 
@@ -127,7 +128,7 @@ def partial_differences(model: Model, mics: Sequence[str], strokes: Sequence[Str
     except Error:  # it rings too little
         modelled = recorded._replace(frequency=np.full(1, np.inf), decay_rate=np.ones(1), level=np.zeros(1))
     found = []
-    for frequency, decay, level in zip(*recorded):
+    for frequency, decay, level in zip(recorded.frequency, recorded.decay_rate, recorded.level):
         if level < _LEAST_LEVEL:
             continue
         nearest = int(np.argmin(np.abs(np.log(modelled.frequency / frequency))))

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 WINDOWS: Tuple[Tuple[float, float], ...] = ((0.0, 0.05), (0.05, 0.2), (0.2, 0.5))  # [s]
 CLICK = (0.0, 0.004)  # [s]
-BANDS: Tuple[float, ...] = tuple(1000 * 2 ** (i / 3) for i in range(-12, 12))  # third octaves: middles [Hz]
+BANDS: Tuple[float, ...] = tuple(1000 * 2 ** (i / 3) for i in range(-12, 13))  # third octaves: middles [Hz]
 _CLICK_BANDS = (2000.0, 4000.0, 8000.0)  # octaves: middles [Hz]
 _NOISE = (0.1, 1.0)  # a piece that long, until then, is noise [s]
 _FLOOR = -80.0  # below the first window: less is not told apart [dB]

@@ -21,17 +21,18 @@ from numpy.typing import NDArray
 from .._library import Error
 from ..model import Model
 from .parameters import Space
-from .partials import HIGHEST, Partials
+from .partials import Partials
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 
-_SCAN_TOP, TOP = 450.0, 700.0  # of the modes that are computed on the grid, and later [Hz]
+_SCAN_TOP, TOP = 450.0, 700.0  # of the modes that are computed on the grid, and later, at most [Hz]
+_ABOVE = 1.13  # times the highest partial: modes that may belong to it
 _GRID, _FINE = 5, 49  # tensions of each head that are computed and interpolated
-_STARTS, _KEPT = 3, (3, 2, 2, 1)  # places where the search begins, and those that it keeps as it comes closer
+_STARTS, _KEPT = 3, (3, 2, 1)  # places where the search begins, and those that it keeps as it comes closer
 _APART = 0.15  # of the starts, in logarithms of tension
 # Of frequencies that may belong together: as steps come closer.
-_FAR, _NEAR = (0.04, 0.03, 0.02, 0.01), (0.01, 0.006)
+_FAR, _NEAR = (0.04, 0.02, 0.01), (0.01, 0.006)
 DECAY_WIDTH = 0.7
 _FARTHEST = 9.0  # squared distance of a partial that belongs to no mode
 _HEARD = -20.0  # modes that radiate less than this below the loudest are not expected [dB]
@@ -96,6 +97,8 @@ class _Search:
                         and key.startswith(_FITTED)]
         self.fitted = [index for index, key in enumerate(space.keys) if key.startswith(_FITTED)]
         self.frequency, self.decay = np.log(partials.frequency), np.log(partials.decay_rate)
+        self.top = min(TOP, _ABOVE * partials.highest)
+        self.scan_top = min(_SCAN_TOP, self.top)
         level, decay = partials.level, partials.decay_rate
         self.frequency_error = np.minimum(5e-4 * 10 ** (-level / 45) * (1 + (decay / 8) ** 3), 0.03)
         self.decay_error = np.minimum(0.1 * 10 ** (-level / 90) * (1 + (decay / 10) ** 2), 1.0)
@@ -125,13 +128,13 @@ class _Search:
     def cost(self, modes: Modes, width: float, top: float) -> float:
         inside = self.partials.frequency < top
         nearest, distance = self.match(modes, width)
-        loud = np.flatnonzero((modes.level > _MISSING) & (modes.frequency < np.log(min(top, HIGHEST))))
+        loud = np.flatnonzero((modes.level > _MISSING) & (modes.frequency < np.log(min(top, self.partials.highest))))
         missing = np.setdiff1d(loud, nearest[inside])
         return float(np.sum((self.weight * np.minimum(distance, _FARTHEST))[inside]) + 2 * len(missing))
 
     def step(self, point: Array, free: Sequence[int], width: float) -> Tuple[Array, Array]:
         """One step of Gauss and Newton's method, and the covariance there."""
-        modes = self.modes(point, TOP)
+        modes = self.modes(point, self.top)
         nearest, distance = self.match(modes, width)
         used = distance < _FARTHEST
         labels = [modes.labels[mode] for mode in nearest[used]]
@@ -142,7 +145,7 @@ class _Search:
         for column, index in enumerate(free):
             moved = point.copy()
             moved[index] += _STEP
-            slopes[:, column] = self._slope(modes, self.modes(moved, TOP), labels) / scale
+            slopes[:, column] = self._slope(modes, self.modes(moved, self.top), labels) / scale
         low, high = self.space.low[free], self.space.high[free]
         robust = 1 / (1 + (here / 3) ** 2)
         precision = np.diag(12 / (high - low) ** 2)
@@ -151,9 +154,9 @@ class _Search:
         spread = max(1.0, float(np.sum(robust * here**2) / max(1.0, np.sum(robust) - 0.5 * len(free))))
         after = point.copy()
         after[free] = np.clip(point[free] + np.linalg.solve(curvature, pull), low, high)
-        before = self.cost(modes, width, TOP)
+        before = self.cost(modes, width, self.top)
         for _ in range(_HALVINGS):
-            if self.cost(self.modes(after, TOP), width, TOP) <= before:
+            if self.cost(self.modes(after, self.top), width, self.top) <= before:
                 break
             after = 0.5 * (point + after)
         return after, spread * np.linalg.inv(curvature)
@@ -175,7 +178,7 @@ class _Search:
         scan = _Scan(self, middle, lines)
         fine = [np.linspace(line[0], line[-1], _FINE) for line in lines]
         points = np.stack(np.meshgrid(*fine, indexing="ij"), axis=-1).reshape(-1, len(fine))
-        costs = np.array([self.cost(scan.modes(place), _FAR[0], _SCAN_TOP) for place in points])
+        costs = np.array([self.cost(scan.modes(place), _FAR[0], self.scan_top) for place in points])
         chosen: List[Array] = []
         for place in points[np.argsort(costs, kind="stable")]:
             if all(np.abs(place - other).max() > _APART for other in chosen):
@@ -194,13 +197,13 @@ class _Search:
         points = self.starts(middle)
         for width, kept in zip(_FAR, _KEPT):
             points = [self.step(point, self.placing, width)[0] for point in points]
-            points = sorted(points, key=lambda point: self.cost(self.modes(point, TOP), _NEAR[0], TOP))[:kept]
+            points = sorted(points, key=lambda point: self.cost(self.modes(point, self.top), _NEAR[0], self.top))[:kept]
         point = points[0]
         for width in _NEAR:
             point, part = self.step(point, self.fitted, width)
         covariance = np.diag((self.space.high - self.space.low) ** 2 / 12)
         covariance[np.ix_(self.fitted, self.fitted)] = part
-        modes = self.modes(point, TOP)
+        modes = self.modes(point, self.top)
         nearest, distance = self.match(modes, _NEAR[0])
         return ModalFit(point, covariance, tuple(modes.labels[mode] if far < _FARTHEST else None
                                                  for mode, far in zip(nearest, distance)), modes)
@@ -216,10 +219,10 @@ class _Scan:
         for index in np.ndindex(places.shape[:-1]):
             point = middle.copy()
             point[search.heads] = places[index]
-            found[index] = search.modes(point, _SCAN_TOP)
+            found[index] = search.modes(point, search.scan_top)
         self.labels = tuple(sorted({label for modes in found.values() for label in modes.labels}))
         # A mode above the band lies at its upper end, unheard.
-        self.values = np.full((*places.shape[:-1], len(self.labels), 3), [np.log(1.2 * _SCAN_TOP), 3.0, -60.0])
+        self.values = np.full((*places.shape[:-1], len(self.labels), 3), [np.log(1.2 * search.scan_top), 3.0, -60.0])
         for index, modes in found.items():
             rows = [self.labels.index(label) for label in modes.labels]
             self.values[index][rows] = np.stack([modes.frequency, modes.decay, modes.level], axis=1)

@@ -22,17 +22,19 @@ _RATE = 2400.0  # of the band [Hz]
 _ROWS = 400  # of the trajectory matrix
 _ORDER = 40  # poles, twice the partials
 _LEAST_LEVEL = -42.0  # below the strongest [dB]
-_LOWEST, HIGHEST = 40.0, 620.0  # of the partials that are taken [Hz]
+_LOWEST, _HIGHEST = 40.0, 620.0  # of the partials that are taken [Hz]
+_REACH = 6.0  # times the strongest: above, modes of large drums lie too close together to be told apart
 _DECAYS = (0.5, 70.0)  # [1/s]
 _APART = 0.03  # of a frequency: a glide and a room leave weak poles beside a strong one
 
 
 class Partials(NamedTuple):
-    """Partials in order of frequency; all arrays have their number of elements."""
+    """Partials in order of frequency; all arrays have as many elements."""
 
     frequency: NDArray[np.float64]  #: [Hz]
     decay_rate: NDArray[np.float64]  #: of the amplitude [1/s]
     level: NDArray[np.float64]  #: energy below the strongest, in the mean over the strokes [dB]
+    highest: float  #: they were looked for up to here [Hz]
 
 
 def _band(recording: Recording) -> NDArray[np.float64]:
@@ -81,7 +83,7 @@ def find_partials(recordings: Sequence[Recording]) -> Partials:
     Returns
     -------
     Partials
-        Those within 42 dB of the strongest, from 40 to 620 Hz.
+        Those within 42 dB of the strongest, from 40 to 620 Hz or to six times its frequency.
 
     Raises
     ------
@@ -92,11 +94,13 @@ def find_partials(recordings: Sequence[Recording]) -> Partials:
     poles = _poles(bands)
     frequency, decay = np.angle(poles) * _RATE / (2 * np.pi), -np.log(np.abs(poles)) * _RATE
     level = _levels(poles, decay, bands)
-    kept = (level > _LEAST_LEVEL) & (frequency > _LOWEST) & (frequency < HIGHEST) & (decay > _DECAYS[0]) & (decay < _DECAYS[1])
+    kept = (level > _LEAST_LEVEL) & (frequency > _LOWEST) & (frequency < _HIGHEST) & (decay > _DECAYS[0]) & (decay < _DECAYS[1])
+    highest = min(_HIGHEST, _REACH * float(frequency[kept][level[kept].argmax()])) if np.any(kept) else _HIGHEST
+    kept &= frequency < highest
     beside = np.abs(np.log(frequency[:, None] / frequency[None])) < _APART
     kept &= ~np.any(beside & kept[None] & (level[None] > level[:, None]), axis=1)
     if np.count_nonzero(kept) < 4:
-        raise Error(f"only {np.count_nonzero(kept)} partials between {_LOWEST:g} and {HIGHEST:g} Hz ring on after {_SKIP} s; "
+        raise Error(f"only {np.count_nonzero(kept)} partials between {_LOWEST:g} and {highest:.0f} Hz ring on after {_SKIP} s; "
                     "a drum has four or more")
     order = np.flatnonzero(kept)[np.argsort(frequency[kept])]
-    return Partials(frequency[order], decay[order], level[order])
+    return Partials(frequency[order], decay[order], level[order], highest)

@@ -147,8 +147,9 @@ def test_a_search_finds_the_lowest_place():
     objective = objective_of(slopes @ truth, groups, np.full(len(LABELS), 2.0))
     found = search(objective, np.zeros(4), np.full(4, 0.5), low, high, lambda points, done: [slopes @ point for point in points],
                    60, 1, lambda text: None)
-    np.testing.assert_allclose(found.point, truth, atol=0.01)
-    assert found.objective == objective.of(slopes @ found.point)
+    np.testing.assert_allclose(found.point, truth, atol=0.05)
+    assert found.objective == objective.of(slopes @ found.point) <= 1
+    assert len(found.points) < 60 * 16  # strokes are no nearer to each other: it ends
 
 
 def test_a_search_follows_straight_lines():

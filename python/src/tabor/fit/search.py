@@ -36,6 +36,8 @@ _TRUSTED = (2.0, 1.0)  # standard deviations of these, as far as the lines are f
 _ITERATIONS = 10  # in which Huber's weights settle
 _DOUBT = 0.1  # of so many simulations, that elements do not change: few tell little of slopes
 _LEAST_DAMPING = 1e-3  # of the mean curvature
+_PATIENCE, _LITTLE = 20, 0.99  # the search ends where so many generations left so much of the objective
+_ENOUGH = 1.0  # objective at which it ends: strokes of the same dynamics are no nearer to each other
 _SPOKEN = 10  # generations between lines that say how far it is
 
 
@@ -131,6 +133,11 @@ class Found(NamedTuple):
     vectors: Array  #: their descriptions, shape (simulations, elements)
 
 
+def _is_over(lowest: Sequence[float]) -> bool:
+    """Whether more generations are not worth their time, from the lowest objective after each."""
+    return lowest[-1] <= _ENOUGH or (len(lowest) > _PATIENCE and lowest[-1] > _LITTLE * lowest[-1 - _PATIENCE])
+
+
 def search(objective: Objective, start: Array, spread: Array, low: Array, high: Array, describe: Describe, generations: int,
            seed: int, say: Callable[[str], object]) -> Found:
     """Searches from a drum on.
@@ -146,7 +153,7 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
     describe : callable
         Describes simulated recordings.
     generations : int
-        How many; one has 8 + 6 ln(parameters) simulations.
+        How many at most; one has 8 + 6 ln(parameters) simulations.
     seed : int
         Of all that is drawn.
     say : callable
@@ -169,6 +176,7 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
     points: List[Array] = []
     vectors: List[Array] = []
     costs: List[float] = []
+    lowest: List[float] = []
     recent = _RECENT * len(low)
     for generation in range(generations):
         new = [strategy.ask() for _ in range(strategy.population_size)]
@@ -180,7 +188,11 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
         new_costs = [objective.of(simulated) for simulated in seen]
         strategy.tell(list(zip(new, new_costs)))
         places, points, vectors, costs = places + new, points + new_points, vectors + seen, costs + new_costs
-        if generation % _SPOKEN == 0 or generation == generations - 1:
-            say(f"search, generation {generation + 1} of {generations}: objective {min(costs):.2f}")
+        lowest.append(min(costs))
+        ends = _is_over(lowest)
+        if generation % _SPOKEN == 0 or generation == generations - 1 or ends:
+            say(f"search, generation {generation + 1} of {generations}: objective {lowest[-1]:.2f}")
+        if ends:
+            break
     best = int(np.argmin(costs))
     return Found(points[best], costs[best], np.array(points), np.array(vectors))

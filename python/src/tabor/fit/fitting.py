@@ -31,7 +31,7 @@ Array = NDArray[np.float64]
 
 _SIMULATED = 3  # strokes of a simulated recording, at most
 _FOLLOWED = 1.5  # objective from which on rounds have not found the drum, and a search goes on
-_NEAR = 12  # simulations for each parameter at the end of a search: the posterior is learnt from them
+_NEAR = 12  # simulations for each parameter, near the drum that a search found: the posterior is learnt from them
 
 
 class Settings(NamedTuple):
@@ -180,7 +180,9 @@ def _searched(space: Space, objective: Objective, posterior: Posterior, describe
                    describe_points, settings.generations, settings.seed, say)
     enough = _NEAR * len(space.keys)
     if len(found.points) >= enough:
-        posterior = infer(found.points[-enough:], found.vectors[-enough:], objective.observed, space.low, space.high,
+        away = np.linalg.norm((found.points - found.point) / (space.high - space.low), axis=1)
+        near = np.sort(np.argsort(away, kind="stable")[:enough])
+        posterior = infer(found.points[near], found.vectors[near], objective.observed, space.low, space.high,
                           np.random.default_rng(settings.seed))
     return found.point, found.objective, posterior
 

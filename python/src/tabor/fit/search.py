@@ -17,7 +17,7 @@ are good, and cost little if elements are not straight there.
 
 from __future__ import annotations
 
-from typing import Callable, List, NamedTuple, Sequence, Tuple
+from typing import Any, Callable, List, NamedTuple, Sequence, Tuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,11 +32,11 @@ _LEAST, _MOST = 0.02, 0.3  # of a range: how far the search looks at first
 _INSIDE = 0.02  # of a range: the search begins that far from limits
 _POPULATION = 2  # times the usual one, 4 + 3 ln(parameters): the objective is rugged where partials come and go
 _RECENT = 5  # simulations for each parameter, of the last ones, through which straight lines are laid
+_LINED = 1.5  # simulations for each parameter, at least
 _TRUSTED = (2.0, 1.0)  # standard deviations of these, as far as the lines are followed
 _ITERATIONS = 10  # in which Huber's weights settle
 _DOUBT = 0.1  # of so many simulations, that elements do not change: few tell little of slopes
 _LEAST_DAMPING = 1e-3  # of the mean curvature
-_PATIENCE, _LITTLE = 20, 0.99  # the search ends where so many generations left so much of the objective
 _ENOUGH = 1.0  # objective at which it ends: strokes of the same dynamics are no nearer to each other
 _SPOKEN = 10  # generations between lines that say how far it is
 
@@ -98,20 +98,14 @@ def _straight(objective: Objective, steps: Array, vectors: Array, best: int) -> 
     return here, np.linalg.solve(square, (steps.T * near) @ change)
 
 
-def _lowest(objective: Objective, places: Array, vectors: Array, best: int) -> List[Array]:
-    """Where straight lines through simulations are lowest, as far from the best one as they are trusted."""
-    unit = places.std(axis=0) + 1e-9
-    here, slopes = _straight(objective, (places - places[best]) / unit, vectors, best)
-    weight = objective.weight[~np.isnan(objective.observed)]
-    found = []
-    for trusted in _TRUSTED:
-        step = np.zeros(len(unit))
-        for _ in range(_ITERATIONS):
-            size = np.abs(here + step @ slopes)
-            weighted = slopes * (weight * np.minimum(1.0, _LINEAR / np.maximum(size, 1e-9)))
-            step = _within(trusted, weighted @ slopes.T, -weighted @ here)
-        found.append(places[best] + unit * step)
-    return found
+def _step(here: Array, slopes: Array, weight: Array, trusted: float) -> Array:
+    """The step to the lowest place, by iterated weights."""
+    step = np.zeros(len(slopes))
+    for _ in range(_ITERATIONS):
+        size = np.abs(here + step @ slopes)
+        weighted = slopes * (weight * np.minimum(1.0, _LINEAR / np.maximum(size, 1e-9)))
+        step = _within(trusted, weighted @ slopes.T, -weighted @ here)
+    return step
 
 
 def _within(trusted: float, curvature: Array, pull: Array) -> Array:
@@ -124,6 +118,22 @@ def _within(trusted: float, curvature: Array, pull: Array) -> Array:
     return np.asarray(step)
 
 
+class _Seen(NamedTuple):
+    """All simulations."""
+
+    places: List[Array]  #: as parts of the ranges
+    vectors: List[Array]
+    costs: List[float]
+
+    def lowest(self, objective: Objective, last: int) -> List[Array]:
+        """Where straight lines through the `last` simulations are lowest, as far from the best of them as they are trusted."""
+        places, best = np.array(self.places[-last:]), int(np.argmin(self.costs[-last:]))
+        unit = places.std(axis=0) + 1e-9
+        here, slopes = _straight(objective, (places - places[best]) / unit, np.array(self.vectors[-last:]), best)
+        weight = objective.weight[~np.isnan(objective.observed)]
+        return [np.clip(places[best] + unit * _step(here, slopes, weight, trusted), 0, 1) for trusted in _TRUSTED]
+
+
 class Found(NamedTuple):
     """Where the search went."""
 
@@ -133,9 +143,14 @@ class Found(NamedTuple):
     vectors: Array  #: their descriptions, shape (simulations, elements)
 
 
-def _is_over(lowest: Sequence[float]) -> bool:
-    """Whether more generations are not worth their time, from the lowest objective after each."""
-    return lowest[-1] <= _ENOUGH or (len(lowest) > _PATIENCE and lowest[-1] > _LITTLE * lowest[-1 - _PATIENCE])
+def _strategy(middle: Array, scale: Array, seed: int) -> Any:
+    """The evolution strategy within the ranges, from a place on."""
+    from cmaes import CMA  # type: ignore[import-untyped,import-not-found,unused-ignore]
+
+    count, sigma = len(middle), float(np.exp(np.mean(np.log(scale))))
+    return CMA(mean=np.clip(middle, _INSIDE, 1 - _INSIDE), sigma=sigma, cov=np.diag((scale / sigma) ** 2),
+               bounds=np.column_stack([np.zeros(count), np.ones(count)]), seed=seed,
+               population_size=_POPULATION * (4 + int(3 * np.log(count))))
 
 
 def search(objective: Objective, start: Array, spread: Array, low: Array, high: Array, describe: Describe, generations: int,
@@ -164,35 +179,24 @@ def search(objective: Objective, start: Array, spread: Array, low: Array, high: 
     Found
         The drum of the lowest objective, and all that were simulated.
     """
-    from cmaes import CMA  # type: ignore[import-untyped,import-not-found,unused-ignore]
-
     width = high - low
     scale = np.clip(spread / width, _LEAST, _MOST)
-    sigma = float(np.exp(np.mean(np.log(scale))))
-    size = _POPULATION * (4 + int(3 * np.log(len(low))))
-    strategy = CMA(mean=np.clip((start - low) / width, _INSIDE, 1 - _INSIDE), sigma=sigma, cov=np.diag((scale / sigma) ** 2),
-                   bounds=np.column_stack([np.zeros(len(low)), np.ones(len(low))]), seed=seed, population_size=size)
-    places: List[Array] = []
-    points: List[Array] = []
-    vectors: List[Array] = []
-    costs: List[float] = []
-    lowest: List[float] = []
-    recent = _RECENT * len(low)
+    seen = _Seen([], [], [])
+    strategy = _strategy((start - low) / width, scale, seed)
     for generation in range(generations):
-        new = [strategy.ask() for _ in range(strategy.population_size)]
-        if len(costs) >= 1.5 * len(low):
-            injected = _lowest(objective, np.array(places[-recent:]), np.array(vectors[-recent:]), int(np.argmin(costs[-recent:])))
-            new[:len(injected)] = [np.clip(place, 0, 1) for place in injected]
-        new_points = [(low + width * place).round(7) for place in new]
-        seen = describe(new_points, len(points))
-        new_costs = [objective.of(simulated) for simulated in seen]
-        strategy.tell(list(zip(new, new_costs)))
-        places, points, vectors, costs = places + new, points + new_points, vectors + seen, costs + new_costs
-        lowest.append(min(costs))
-        ends = _is_over(lowest)
-        if generation % _SPOKEN == 0 or generation == generations - 1 or ends:
-            say(f"search, generation {generation + 1} of {generations}: objective {lowest[-1]:.2f}")
+        places = [strategy.ask() for _ in range(strategy.population_size)]
+        if len(seen.costs) >= _LINED * len(low):
+            places[:len(_TRUSTED)] = seen.lowest(objective, _RECENT * len(low))
+        vectors = describe([(low + width * place).round(7) for place in places], len(seen.costs))
+        costs = [objective.of(simulated) for simulated in vectors]
+        strategy.tell(list(zip(places, costs)))
+        seen = _Seen(seen.places + places, seen.vectors + vectors, seen.costs + costs)
+        lowest = min(seen.costs)
+        ends = lowest <= _ENOUGH or generation == generations - 1
+        if generation % _SPOKEN == 0 or ends:
+            say(f"search, generation {generation + 1} of {generations}: objective {lowest:.2f}")
         if ends:
             break
-    best = int(np.argmin(costs))
-    return Found(points[best], costs[best], np.array(points), np.array(vectors))
+    best = int(np.argmin(seen.costs))
+    points = (low + width * np.array(seen.places)).round(7)
+    return Found(points[best], seen.costs[best], points, np.array(seen.vectors))

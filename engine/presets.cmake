@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The built-in presets and kits: files of presets/ and kits/ compiled into the library, in the order in which they are
-# listed: drums, then tunings of them. Sets TABOR_PRESET_SOURCE and TABOR_KIT_SOURCE, the generated tables, which the target preset-table writes.
+# listed: drums, then tunings of them, then drums fitted to recordings. Sets TABOR_PRESET_SOURCE and TABOR_KIT_SOURCE, the
+# generated tables, which the target preset-table writes.
 
 set(TABOR_PRESETS
     tabor
@@ -49,7 +50,9 @@ set(TABOR_PRESETS
     bass-drum-18-bop
     bass-drum-22-rock-punch
     bass-drum-22-vintage
-    frame-drum-low)
+    frame-drum-low
+    tom-8
+    snare-14x5-maple)
 
 set(TABOR_KITS standard jazz marching frame-drums)
 

@@ -150,7 +150,7 @@ const Knob knobs[KNOB_COUNT] = {
                  .name = "Drum",
                  .group = "drum",
                  .kind = KNOB_REBUILD,
-                 RANGE(0, 46),
+                 RANGE(0, 48),
                  .fallback = 5, /* DEFAULT_PRESET */
                  .unit = "",
                  .choices =
@@ -164,7 +164,7 @@ const Knob knobs[KNOB_COUNT] = {
                    "snare-garage-trash|snare-orchestral|snare-disco-thud|snare-marching-indoor|"
                    "tom-10-fusion|tom-12-jazz-high|tom-12-rock-low|floor-tom-16-jazz|"
                    "floor-tom-16-dead|bass-drum-18-bop|bass-drum-22-rock-punch|"
-                   "bass-drum-22-vintage|frame-drum-low",
+                   "bass-drum-22-vintage|frame-drum-low|tom-8|snare-14x5-maple",
                  .off = NAN,
                  .comment = "Turning it takes another drum, as a program change of MIDI does. A "
                             "drum that was changed or loaded stays until then."},

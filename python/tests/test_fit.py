@@ -144,10 +144,10 @@ def test_a_search_finds_the_lowest_place():
     low, high, truth = -np.ones(4), np.ones(4), np.array([0.3, -0.2, 0.6, 0.9])
     slopes = 10 * np.random.default_rng(4).normal(size=(len(LABELS), 4))
     groups = Plan(None, RATE, ("top",), (1.0,), False, (), (), "draft").groups()
-    objective = objective_of(slopes @ truth, groups, np.full(len(LABELS), 2.0))
+    objective = objective_of(slopes @ truth, groups, np.full(len(LABELS), 0.05))  # an objective of 1 is near enough
     found = search(objective, np.zeros(4), np.full(4, 0.5), low, high, lambda points, done: [slopes @ point for point in points],
                    60, 1, lambda text: None)
-    np.testing.assert_allclose(found.point, truth, atol=0.05)
+    np.testing.assert_allclose(found.point, truth, atol=0.01)
     assert found.objective == objective.of(slopes @ found.point) <= 1
     assert len(found.points) < 60 * 16  # strokes are no nearer to each other: it ends
 

@@ -142,7 +142,7 @@ def _fit(request: Request, folder: str, settings: Settings, say: Callable[[str],
                 request.are_levels_known, noise, labels, settings.quality)
     strokes = [request.strokes[index] for index in chosen]
     peaks = np.array([stroke.peaks() for stroke in strokes])
-    observed = np.concatenate([describe_partials(plan, request.strokes, modal.modes), levels_of(peaks, request.are_levels_known),
+    observed = np.concatenate([describe_partials(partials, modal.modes, labels), levels_of(peaks, request.are_levels_known),
                                scatter.smooth[chosen].ravel()]).round(DIGITS)
     journal = Journal(os.path.join(folder, "journal.jsonl"), _task(request, plan, observed, settings), settings.jobs)
     total = sum(settings.counts)

@@ -48,6 +48,11 @@ class Objective(NamedTuple):
     floor: Array  #: of each element
     weight: Array  #: of each element
 
+    @property
+    def weights(self) -> Array:
+        """Of the observed elements."""
+        return self.weight[~np.isnan(self.observed)]
+
     def apart(self, simulated: Array) -> Array:
         """How many floors the observed elements are above the simulated ones, shape (..., observed elements)."""
         used = ~np.isnan(self.observed)
@@ -58,7 +63,7 @@ class Objective(NamedTuple):
         apart = np.abs(self.apart(simulated))
         apart = np.where(np.isnan(apart), _LINEAR, apart)
         rho = np.where(apart < _LINEAR, apart**2, _LINEAR * (2 * apart - _LINEAR))
-        return float(np.average(rho, weights=self.weight[~np.isnan(self.observed)]))
+        return float(np.average(rho, weights=self.weights))
 
 
 def objective_of(observed: Array, groups: NDArray[np.int64], floor: Array) -> Objective:
@@ -130,8 +135,7 @@ class _Seen(NamedTuple):
         places, best = np.array(self.places[-last:]), int(np.argmin(self.costs[-last:]))
         unit = places.std(axis=0) + 1e-9
         here, slopes = _straight(objective, (places - places[best]) / unit, np.array(self.vectors[-last:]), best)
-        weight = objective.weight[~np.isnan(objective.observed)]
-        return [np.clip(places[best] + unit * _step(here, slopes, weight, trusted), 0, 1) for trusted in _TRUSTED]
+        return [np.clip(places[best] + unit * _step(here, slopes, objective.weights, trusted), 0, 1) for trusted in _TRUSTED]
 
 
 class Found(NamedTuple):

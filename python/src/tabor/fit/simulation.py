@@ -97,8 +97,23 @@ def with_noise(sound: Array, noise: Sequence[Array], rate: float, random: np.ran
     return np.array([row / np.abs(row).max() + make_noise(one, len(row), rate, random) for row, one in zip(sound, noise)])
 
 
-def _belonging(partials: Optional[Partials], modes: Modes, labels: Sequence[Tuple[int, int]]) -> Array:
-    """Frequencies, then decays, of the partials that are nearest to the labelled modes."""
+def describe_partials(partials: Optional[Partials], modes: Modes, labels: Sequence[Tuple[int, int]]) -> Array:
+    """Describes partials, with which a description begins.
+
+    Parameters
+    ----------
+    partials : Partials, optional
+        Of strokes on one drum; none that can be told.
+    modes : Modes
+        Of the drum that is thought to sound.
+    labels : sequence of (int, int)
+        Of the modes whose partials are described.
+
+    Returns
+    -------
+    ndarray of float64, shape (2 * len(labels),)
+        Logarithms of frequencies, then of decay rates, of the partials that are nearest to these modes.
+    """
     frequency, decay = np.full(len(labels), np.nan), np.full(len(labels), np.nan)
     if partials is None:
         return np.concatenate([frequency, decay])
@@ -120,27 +135,6 @@ def _partials(recordings: Sequence[Recording]) -> Optional[Partials]:
         return find_partials(recordings)
     except Error:
         return None
-
-
-def describe_partials(plan: Plan, strokes: Sequence[Stroke], modes: Modes) -> Array:
-    """Describes the partials of strokes, with which a description begins.
-
-    Parameters
-    ----------
-    plan : Plan
-        What modes' partials are described.
-    strokes : sequence of Stroke
-        Of one drum.
-    modes : Modes
-        Of the drum that is thought to sound.
-
-    Returns
-    -------
-    ndarray of float64, shape (2 * len(plan.labels),)
-        Logarithms of frequencies, then of decay rates.
-    """
-    partials = _partials([stroke.recordings[0] for stroke in strokes]) if plan.labels else None
-    return _belonging(partials, modes, plan.labels)
 
 
 def simulate(plan: Plan, point: Array, seed: int) -> Array:
@@ -171,6 +165,7 @@ def simulate(plan: Plan, point: Array, seed: int) -> Array:
         peaks.append(np.abs(sound).max(axis=1))
         strokes.append(stroke_of(with_noise(sound, noise, plan.rate, random), plan.mics, plan.rate))
     modes = modes_of(model, float(drum["strike.radius"]), TOP)
-    description = np.concatenate([describe_partials(plan, strokes, modes), levels_of(np.array(peaks), plan.are_levels_known),
+    partials = _partials([stroke.recordings[0] for stroke in strokes]) if plan.labels else None
+    description = np.concatenate([describe_partials(partials, modes, plan.labels), levels_of(np.array(peaks), plan.are_levels_known),
                                   *[described(stroke) for stroke in strokes]])
     return np.round(description, DIGITS)
